@@ -1,0 +1,1 @@
+//! Oracles: slow, simple algorithms that share nothing with the ones under test.
