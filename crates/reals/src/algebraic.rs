@@ -1,0 +1,398 @@
+//! Real algebraic numbers.
+
+use std::cmp::Ordering;
+use std::fmt;
+use std::sync::Arc;
+
+use refinable_algebra::{
+    Integer, Ordered, Polynomial, Rational, Ring, bit_length, decimal, integer, rational,
+};
+
+use crate::bernstein::Bernstein;
+use crate::exact_form::ExactForm;
+use crate::isolate::{changes_sign, common_part};
+
+/// A real algebraic number: a rational number, or the only root of an integer polynomial in an open
+/// interval with rational ends. Immutable; equality and order are those of the numbers.
+#[derive(Clone)]
+pub struct RealAlgebraic(Form);
+
+#[derive(Clone)]
+enum Form {
+    Rational(Rational),
+    /// The polynomial has exactly one root in the open interval, a simple one, and none at the ends.
+    Root {
+        polynomial: Arc<Polynomial<Integer>>,
+        lower: Rational,
+        upper: Rational,
+    },
+}
+
+/// Halvings before an exact zero test by a gcd; most comparisons are decided long before.
+const PATIENCE: u32 = 12;
+
+impl RealAlgebraic {
+    /// The only root of `polynomial` in the open interval `(lower, upper)`.
+    ///
+    /// # Panics
+    /// In debug builds, if the signs at the ends are not opposite.
+    pub(crate) fn isolated(
+        polynomial: Arc<Polynomial<Integer>>,
+        lower: Rational,
+        upper: Rational,
+    ) -> Self {
+        debug_assert!(changes_sign(&polynomial, &lower, &upper));
+        RealAlgebraic(Form::Root {
+            polynomial,
+            lower,
+            upper,
+        })
+    }
+
+    /// The number if it is stored as a rational one; see [`simplified`](Self::simplified).
+    pub fn as_rational(&self) -> Option<&Rational> {
+        match &self.0 {
+            Form::Rational(x) => Some(x),
+            Form::Root { .. } => None,
+        }
+    }
+
+    /// An integer polynomial of which the number is a root.
+    pub fn polynomial(&self) -> Polynomial<Integer> {
+        match &self.0 {
+            Form::Rational(x) => Polynomial::new(vec![-x.numer(), x.denom().clone()]),
+            Form::Root { polynomial, .. } => polynomial.primitive_part(),
+        }
+    }
+
+    /// Rational bounds `lower ≤ self ≤ upper`; equal iff the number is stored as rational.
+    pub fn bounds(&self) -> (Rational, Rational) {
+        match &self.0 {
+            Form::Rational(x) => (x.clone(), x.clone()),
+            Form::Root { lower, upper, .. } => (lower.clone(), upper.clone()),
+        }
+    }
+
+    /// Bounds at most `width` apart.
+    ///
+    /// # Panics
+    /// If `width` is not positive.
+    ///
+    /// # Cost
+    /// One evaluation of the polynomial per halving.
+    pub fn enclosure(&self, width: &Rational) -> (Rational, Rational) {
+        assert!(
+            width.compare_to_zero().is_gt(),
+            "an enclosure needs a positive width"
+        );
+        self.refined_until(|lower, upper| upper - lower <= *width)
+            .bounds()
+    }
+
+    /// The same number with a tighter interval, halved until `enough(lower, upper)`.
+    pub(crate) fn refined_until(&self, enough: impl Fn(&Rational, &Rational) -> bool) -> Self {
+        let mut current = self.clone();
+        loop {
+            match &current.0 {
+                Form::Root { lower, upper, .. } if !enough(lower, upper) => {
+                    current = current.halved();
+                }
+                _ => return current,
+            }
+        }
+    }
+
+    /// One bisection step.
+    pub(crate) fn halved(&self) -> Self {
+        let Form::Root {
+            polynomial,
+            lower,
+            upper,
+        } = &self.0
+        else {
+            return self.clone();
+        };
+        let middle = (lower + upper) / integer(2);
+        let sign = polynomial.sign_at(&middle);
+        if sign.is_eq() {
+            return middle.into();
+        }
+        let (lower, upper) = if sign == polynomial.sign_at(lower) {
+            (middle, upper.clone())
+        } else {
+            (lower.clone(), middle)
+        };
+        RealAlgebraic(Form::Root {
+            polynomial: polynomial.clone(),
+            lower,
+            upper,
+        })
+    }
+
+    /// The number in rational form if it is rational. A root `p/q` of a polynomial with leading
+    /// coefficient `c` has `q | c`, so `c · self` is the only integer in a short enough interval.
+    pub fn simplified(&self) -> Self {
+        let Form::Root { polynomial, .. } = &self.0 else {
+            return self.clone();
+        };
+        let leading = Rational::from(polynomial.leading().expect("not zero").absolute());
+        let one = rational(1, 1);
+        let narrow = self.refined_until(|lower, upper| (upper - lower) * &leading < one);
+        let (_, upper) = narrow.bounds();
+        let candidate = (upper * &leading).floor() / leading;
+        match narrow.0 {
+            Form::Root {
+                ref polynomial,
+                ref lower,
+                ..
+            } if candidate > *lower && polynomial.sign_at(&candidate).is_eq() => candidate.into(),
+            _ => narrow,
+        }
+    }
+
+    /// The exact sign of `polynomial` at this number.
+    ///
+    /// # Cost
+    /// Usually a few Bernstein forms on shrinking intervals; a gcd only when the value is, or is
+    /// extremely close to, zero.
+    pub fn sign_of(&self, polynomial: &Polynomial<Integer>) -> Ordering {
+        let Some(degree) = polynomial.degree() else {
+            return Ordering::Equal;
+        };
+        let mut x = self.clone();
+        for step in 0.. {
+            let (lower, upper) = match &x.0 {
+                Form::Rational(x) => return polynomial.sign_at(x),
+                Form::Root { lower, upper, .. } => (lower, upper),
+            };
+            let form = Bernstein::new(polynomial, degree, lower, upper);
+            if let Some(sign) = form.constant_sign() {
+                return sign;
+            }
+            if step == PATIENCE && x.is_root_of(polynomial) {
+                return Ordering::Equal;
+            }
+            x = x.halved();
+        }
+        unreachable!("a nonzero value keeps its sign on a short enough interval")
+    }
+
+    /// Whether `polynomial` vanishes here: iff its gcd with the defining polynomial has a root in
+    /// the interval, which can only be this one, and simple.
+    fn is_root_of(&self, polynomial: &Polynomial<Integer>) -> bool {
+        match &self.0 {
+            Form::Rational(x) => polynomial.sign_at(x).is_eq(),
+            Form::Root {
+                polynomial: own,
+                lower,
+                upper,
+            } => changes_sign(&common_part(own, polynomial), lower, upper),
+        }
+    }
+
+    /// A rational number strictly between `self` and a larger number, short where it can be.
+    ///
+    /// # Panics
+    /// If `self ≥ other`.
+    pub fn rational_between(&self, other: &Self) -> Rational {
+        assert!(self < other, "nothing lies between");
+        let (mut a, mut b) = (self.clone(), other.clone());
+        loop {
+            let (upper, lower) = (a.bounds().1, b.bounds().0);
+            if upper < lower {
+                return short_between(&upper, &lower);
+            }
+            (a, b) = (a.halved(), b.halved());
+        }
+    }
+
+    /// `p/q`, radicals or `root(POLY, k)`.
+    pub fn exact_form(&self) -> ExactForm {
+        ExactForm::of(self)
+    }
+
+    /// `self` rounded to `digits` significant digits, as text.
+    pub fn decimal(&self, digits: u32) -> String {
+        if let Some(x) = self.simplified().as_rational() {
+            return decimal(x, digits);
+        }
+        // An irrational number is not zero: a relative width of 10^-(digits+3) is within reach.
+        let scale = Rational::new(integer(1), integer(10).power(digits + 3));
+        let narrow = self.refined_until(|lower, upper| {
+            lower.compare_to_zero() == upper.compare_to_zero()
+                && upper - lower <= lower.absolute() * &scale
+        });
+        let (lower, upper) = narrow.bounds();
+        decimal(&((lower + upper) / integer(2)), digits)
+    }
+}
+
+/// A number strictly between `a < b`, dyadic with few bits.
+fn short_between(a: &Rational, b: &Rational) -> Rational {
+    let gap = b - a;
+    let extra = bit_length(gap.denom()).saturating_sub(bit_length(gap.numer())) + 2;
+    let middle = (a + b) / integer(2);
+    let candidate = refinable_algebra::floor_half_power(&middle, extra as u32);
+    if *a < candidate && candidate < *b {
+        candidate
+    } else {
+        middle
+    }
+}
+
+impl From<Rational> for RealAlgebraic {
+    fn from(x: Rational) -> Self {
+        RealAlgebraic(Form::Rational(x))
+    }
+}
+
+impl From<Integer> for RealAlgebraic {
+    fn from(x: Integer) -> Self {
+        Rational::from(x).into()
+    }
+}
+
+impl Ord for RealAlgebraic {
+    fn cmp(&self, other: &Self) -> Ordering {
+        let (mut a, mut b) = (self.clone(), other.clone());
+        for step in 0.. {
+            if let (Form::Rational(x), Form::Rational(y)) = (&a.0, &b.0) {
+                return x.cmp(y);
+            }
+            let ((a_lower, a_upper), (b_lower, b_upper)) = (a.bounds(), b.bounds());
+            // One of the two is inside an open interval, so touching bounds separate as well.
+            if a_upper <= b_lower {
+                return Ordering::Less;
+            }
+            if b_upper <= a_lower {
+                return Ordering::Greater;
+            }
+            if step == PATIENCE && a.equals(&b) {
+                return Ordering::Equal;
+            }
+            (a, b) = (a.halved(), b.halved());
+        }
+        unreachable!("distinct numbers have disjoint enclosures in the end")
+    }
+}
+
+impl RealAlgebraic {
+    /// Equality of two numbers whose intervals overlap, at least one of them not stored as rational.
+    fn equals(&self, other: &Self) -> bool {
+        match (&self.0, &other.0) {
+            (
+                Form::Rational(x),
+                Form::Root {
+                    polynomial,
+                    lower,
+                    upper,
+                },
+            )
+            | (
+                Form::Root {
+                    polynomial,
+                    lower,
+                    upper,
+                },
+                Form::Rational(x),
+            ) => lower < x && x < upper && polynomial.sign_at(x).is_eq(),
+            (
+                Form::Root {
+                    polynomial: p,
+                    lower: p_lower,
+                    upper: p_upper,
+                },
+                Form::Root {
+                    polynomial: q,
+                    lower: q_lower,
+                    upper: q_upper,
+                },
+            ) => {
+                // A root of gcd(p, q) in the common interval is the only root of p there, and of q.
+                let (lower, upper) = (p_lower.max(q_lower), p_upper.min(q_upper));
+                changes_sign(&common_part(p, q), lower, upper)
+            }
+            (Form::Rational(x), Form::Rational(y)) => x == y,
+        }
+    }
+}
+
+impl PartialOrd for RealAlgebraic {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl PartialEq for RealAlgebraic {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+
+impl Eq for RealAlgebraic {}
+
+impl fmt::Debug for RealAlgebraic {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.exact_form().display("x"))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::isolate::real_roots;
+
+    fn poly(coefficients: &[i64]) -> Polynomial<Integer> {
+        Polynomial::new(coefficients.iter().map(|&c| integer(c)).collect())
+    }
+
+    fn sqrt(n: i64) -> RealAlgebraic {
+        real_roots(&poly(&[-n, 0, 1])).pop().unwrap()
+    }
+
+    #[test]
+    fn equal_numbers_from_different_polynomials() {
+        // √2 is a root of x²-2 and of (x²-2)(x-7)(x²-3).
+        let other = poly(&[-2, 0, 1])
+            .times(&poly(&[-7, 1]))
+            .times(&poly(&[-3, 0, 1]));
+        let roots = real_roots(&other);
+        assert_eq!(roots[2], sqrt(2));
+        assert!(roots[3] > sqrt(2));
+    }
+
+    #[test]
+    fn rational_roots_are_recognised() {
+        // (3x-1)(x²-2): the root 1/3 is no bisection point.
+        let roots = real_roots(&poly(&[-1, 3]).times(&poly(&[-2, 0, 1])));
+        assert_eq!(roots[1].simplified().as_rational(), Some(&rational(1, 3)));
+        assert_eq!(roots[0].simplified().as_rational(), None);
+        assert_eq!(roots[1], rational(1, 3).into());
+    }
+
+    #[test]
+    fn signs_at_a_root_are_exact() {
+        let x = sqrt(2);
+        assert_eq!(x.sign_of(&poly(&[-2, 0, 1])), Ordering::Equal);
+        assert_eq!(x.sign_of(&poly(&[4, 0, -4, 0, 1])), Ordering::Equal); // (x²-2)²
+        // 2^60 (x - 1.41421356237309505) separates only deep down.
+        let tight = Polynomial::new(vec![
+            "-141421356237309504880".parse().unwrap(),
+            "100000000000000000000".parse().unwrap(),
+        ]);
+        assert_eq!(x.sign_of(&tight), Ordering::Greater);
+    }
+
+    #[test]
+    fn between_two_numbers_there_is_a_short_rational() {
+        let x = sqrt(2).rational_between(&sqrt(3));
+        assert!(sqrt(2) < x.clone().into() && RealAlgebraic::from(x) < sqrt(3));
+    }
+
+    #[test]
+    fn decimals_of_irrationals() {
+        assert_eq!(sqrt(2).decimal(12), "1.41421356237");
+        let negative = real_roots(&poly(&[-2, 0, 1])).remove(0);
+        assert_eq!(negative.decimal(6), "-1.41421");
+    }
+}

@@ -1,0 +1,40 @@
+//! The real line, exactly.
+//!
+//! | module | noun |
+//! |---|---|
+//! | `bernstein` | [`Bernstein`]: a polynomial on an interval, with Descartes' bound on its roots |
+//! | `isolate` | isolation of all real roots, or of those in an interval |
+//! | `algebraic` | [`RealAlgebraic`]: exact comparison, signs of polynomials, enclosures |
+//! | `exact_form` | [`ExactForm`]: `p/q`, radicals, `root(POLY, k)` |
+//! | `region` | [`Region`]: finite unions of intervals with exact ends, canonical |
+//! | `point` | [`Point`]: a point of parameter space with real algebraic coordinates |
+//! | `system` | common zeros of two polynomials in two parameters |
+//!
+//! No float decides anything; every answer is exact.
+//!
+//! ```
+//! use refinable_algebra::{Polynomial, integer};
+//! use refinable_reals::{RealAlgebraic, real_roots};
+//! // The critical tension of the four-point scheme: 32ω³ + 4ω - 1 = 0.
+//! let p = Polynomial::new([-1, 4, 0, 32].map(integer).to_vec());
+//! let roots = real_roots(&p);
+//! assert_eq!(roots.len(), 1);
+//! assert_eq!(roots[0].decimal(5), "0.19273");
+//! assert_eq!(roots[0].exact_form().display("omega"), "root(32*omega^3 + 4*omega - 1, 1)");
+//! ```
+
+mod algebraic;
+mod bernstein;
+mod exact_form;
+mod isolate;
+mod point;
+mod region;
+mod system;
+
+pub use algebraic::RealAlgebraic;
+pub use bernstein::Bernstein;
+pub use exact_form::{ExactForm, Radical};
+pub use isolate::{real_roots, real_roots_between};
+pub use point::Point;
+pub use region::{Bound, Interval, Region};
+pub use system::{common_zeros, has_real_point};
