@@ -16,18 +16,12 @@ impl<R: Ring> Polynomial<R> {
     /// # Panics
     /// If `divisor` is not monic.
     pub fn divide_by_monic(&self, divisor: &Self) -> (Self, Self) {
-        assert_eq!(
-            divisor.leading(),
-            Some(&R::one()),
-            "the divisor must be monic"
-        );
+        assert_eq!(divisor.leading(), Some(&R::one()), "the divisor must be monic");
         let low = &divisor.coefficients()[..divisor.coefficients().len() - 1];
         let mut rest = self.coefficients().to_vec();
         let mut quotient = vec![R::zero(); rest.len().saturating_sub(low.len())];
         for k in (0..quotient.len()).rev() {
-            let leading = rest
-                .pop()
-                .expect("the rest is as long as the quotient still to come");
+            let leading = rest.pop().expect("the rest is as long as the quotient still to come");
             for (r, c) in rest[k..].iter_mut().zip(low) {
                 *r = r.minus(&leading.times(c));
             }
@@ -53,12 +47,8 @@ impl<R: Domain> Polynomial<R> {
         let mut taken = 0;
         while rest.coefficients().len() >= length {
             let shift = rest.coefficients().len() - length;
-            let top = rest
-                .leading()
-                .expect("not zero: at least as long as the divisor");
-            rest = rest
-                .scaled(leading)
-                .minus(&divisor.shifted(shift).scaled(top));
+            let top = rest.leading().expect("not zero: at least as long as the divisor");
+            rest = rest.scaled(leading).minus(&divisor.shifted(shift).scaled(top));
             taken += 1;
         }
         rest.scaled(&leading.power((steps - taken) as u32))
@@ -100,9 +90,7 @@ impl<R: GcdDomain> Polynomial<R> {
         if self.is_zero() {
             return Polynomial::zero();
         }
-        let divisor = self
-            .content()
-            .times(&self.leading().expect("not zero").unit_part());
+        let divisor = self.content().times(&self.leading().expect("not zero").unit_part());
         self.map(|c| c.quotient(&divisor))
     }
 
@@ -117,11 +105,7 @@ impl<R: GcdDomain> Polynomial<R> {
         };
         if m < n {
             let swapped = other.resultant(self);
-            return if m * n % 2 == 1 {
-                swapped.negated()
-            } else {
-                swapped
-            };
+            return if m * n % 2 == 1 { swapped.negated() } else { swapped };
         }
         let (mut a, mut b) = (self.clone(), other.clone());
         let (mut g, mut h) = (R::one(), R::one());
@@ -132,11 +116,7 @@ impl<R: GcdDomain> Polynomial<R> {
             };
             if n == 0 {
                 let last = b.leading().expect("not zero").power(m as u32);
-                let result = if m == 0 {
-                    R::one()
-                } else {
-                    last.quotient(&h.power(m as u32 - 1))
-                };
+                let result = if m == 0 { R::one() } else { last.quotient(&h.power(m as u32 - 1)) };
                 return if negative { result.negated() } else { result };
             }
             negative ^= m * n % 2 == 1;
@@ -188,11 +168,7 @@ impl<R: GcdDomain> GcdDomain for Polynomial<R> {
         while !b.is_constant() {
             subresultant_step(&mut a, &mut b, &mut g, &mut h);
         }
-        let primitive = if b.is_zero() {
-            a.primitive_part()
-        } else {
-            Polynomial::one()
-        };
+        let primitive = if b.is_zero() { a.primitive_part() } else { Polynomial::one() };
         primitive.scaled(&content)
     }
 

@@ -66,8 +66,7 @@ impl ParameterFraction {
 
     /// The value of a constant; `None` if a parameter occurs.
     pub fn as_constant(&self) -> Option<Rational> {
-        self.as_polynomial()
-            .and_then(ParameterPolynomial::as_constant)
+        self.as_polynomial().and_then(ParameterPolynomial::as_constant)
     }
 
     /// The parameters that occur.
@@ -93,10 +92,7 @@ impl ParameterFraction {
 
     /// `-self`.
     pub fn negated(&self) -> Self {
-        ParameterFraction {
-            numerator: self.numerator.negated(),
-            ..self.clone()
-        }
+        ParameterFraction { numerator: self.numerator.negated(), ..self.clone() }
     }
 
     /// `self / other`.
@@ -133,17 +129,16 @@ fn substitute_polynomial(
 ) -> ParameterFraction {
     let powers = polynomial.collected(parameter);
     let zero = ParameterFraction::from(ParameterPolynomial::zero());
-    powers.coefficients().iter().rev().fold(zero, |sum, c| {
-        sum.times(value).plus(&ParameterFraction::from(c.clone()))
-    })
+    powers
+        .coefficients()
+        .iter()
+        .rev()
+        .fold(zero, |sum, c| sum.times(value).plus(&ParameterFraction::from(c.clone())))
 }
 
 impl From<ParameterPolynomial> for ParameterFraction {
     fn from(numerator: ParameterPolynomial) -> Self {
-        ParameterFraction {
-            numerator,
-            denominator: ParameterPolynomial::one(),
-        }
+        ParameterFraction { numerator, denominator: ParameterPolynomial::one() }
     }
 }
 
@@ -159,16 +154,10 @@ impl fmt::Display for ParameterFraction {
             self.numerator.primitive()
         };
         let top = primitive.scaled(&Rational::from(content.numer().clone()));
-        let bottom = self
-            .denominator
-            .scaled(&Rational::from(content.denom().clone()));
+        let bottom = self.denominator.scaled(&Rational::from(content.denom().clone()));
         let sign = if negative { "-" } else { "" };
         let bracket = |p: &ParameterPolynomial| {
-            if p.terms().len() > 1 {
-                format!("({p:#})")
-            } else {
-                format!("{p:#}")
-            }
+            if p.terms().len() > 1 { format!("({p:#})") } else { format!("{p:#}") }
         };
         // A product below the bar needs brackets too: 1/(2*alpha).
         let below = match bottom.terms().len() {
@@ -200,13 +189,8 @@ mod tests {
         assert_eq!(curve.to_string(), "-(8*alpha - 1)/(16*alpha - 16)");
         let beta = Parameter::new("beta");
         let weight = ParameterPolynomial::parameter(&beta).times(&int(1).minus(&alpha()));
-        let on_curve = ParameterFraction::from(weight)
-            .substitute(&beta, &curve)
-            .unwrap();
-        assert_eq!(
-            on_curve.as_polynomial(),
-            Some(&top.scaled(&rational(1, 16)))
-        );
+        let on_curve = ParameterFraction::from(weight).substitute(&beta, &curve).unwrap();
+        assert_eq!(on_curve.as_polynomial(), Some(&top.scaled(&rational(1, 16))));
     }
 
     #[test]

@@ -15,16 +15,10 @@ impl<R: Ring> Laurent<R> {
     pub fn new(lowest: i64, coefficients: Vec<R>) -> Self {
         let zeros = coefficients.iter().take_while(|c| c.is_zero()).count();
         if zeros == coefficients.len() {
-            return Laurent {
-                lowest: 0,
-                polynomial: Polynomial::zero(),
-            };
+            return Laurent { lowest: 0, polynomial: Polynomial::zero() };
         }
         let kept = coefficients.into_iter().skip(zeros).collect();
-        Laurent {
-            lowest: lowest + zeros as i64,
-            polynomial: Polynomial::new(kept),
-        }
+        Laurent { lowest: lowest + zeros as i64, polynomial: Polynomial::new(kept) }
     }
 
     /// `c z^exponent`.
@@ -61,10 +55,7 @@ impl<R: Ring> Laurent<R> {
 
     /// The pairs `(exponent, coefficient)` over the support, zeros inside included.
     pub fn terms(&self) -> impl DoubleEndedIterator<Item = (i64, &R)> {
-        self.coefficients()
-            .iter()
-            .enumerate()
-            .map(|(k, c)| (self.lowest + k as i64, c))
+        self.coefficients().iter().enumerate().map(|(k, c)| (self.lowest + k as i64, c))
     }
 
     /// `z^k · self`.
@@ -72,10 +63,7 @@ impl<R: Ring> Laurent<R> {
         if self.is_zero() {
             self.clone()
         } else {
-            Laurent {
-                lowest: self.lowest + k,
-                ..self.clone()
-            }
+            Laurent { lowest: self.lowest + k, ..self.clone() }
         }
     }
 
@@ -100,36 +88,27 @@ impl<R: Ring> Laurent<R> {
         let Some((_, highest)) = self.support() else {
             return self.clone();
         };
-        Laurent::new(
-            -highest,
-            self.coefficients().iter().rev().cloned().collect(),
-        )
+        Laurent::new(-highest, self.coefficients().iter().rev().cloned().collect())
     }
 
     /// `self(1)`: the sum of the coefficients.
     pub fn at_one(&self) -> R {
-        self.coefficients()
-            .iter()
-            .fold(R::zero(), |sum, c| sum.plus(c))
+        self.coefficients().iter().fold(R::zero(), |sum, c| sum.plus(c))
     }
 
     /// `self(-1)`: the alternating sum.
     pub fn at_minus_one(&self) -> R {
-        self.terms().fold(R::zero(), |sum, (k, c)| {
-            if k.rem_euclid(2) == 0 {
-                sum.plus(c)
-            } else {
-                sum.minus(c)
-            }
-        })
+        self.terms().fold(
+            R::zero(),
+            |sum, (k, c)| {
+                if k.rem_euclid(2) == 0 { sum.plus(c) } else { sum.minus(c) }
+            },
+        )
     }
 
     /// The derivative `d/dz`.
     pub fn derivative(&self) -> Self {
-        let scaled = self
-            .terms()
-            .map(|(k, c)| c.times(&R::from_i64(k)))
-            .collect();
+        let scaled = self.terms().map(|(k, c)| c.times(&R::from_i64(k))).collect();
         Laurent::new(self.lowest - 1, scaled)
     }
 
@@ -148,13 +127,16 @@ impl<R: Ring> Laurent<R> {
     /// a polynomial of degree below `times · (arity - 1)`. `r = 0` iff `σ^times` divides.
     ///
     /// # Cost
-    /// `times` passes over the coefficients, additions only.
+    /// At most `times` passes over the coefficients, additions only.
     pub fn divide_by_geometric(&self, arity: usize, times: usize) -> (Self, Self) {
         let sigma = Polynomial::new(vec![R::one(); arity]);
         let mut quotient = self.polynomial.clone();
         let mut remainder = Polynomial::zero();
         let mut power = Polynomial::one();
         for _ in 0..times {
+            if quotient.is_zero() {
+                break;
+            }
             let (q, r) = quotient.divide_by_monic(&sigma);
             remainder.add_product(&power, &r);
             power = power.times(&sigma);
@@ -187,10 +169,7 @@ impl<R: Ring> Ring for Laurent<R> {
         }
         let lowest = self.lowest.min(other.lowest);
         let raised = |s: &Self| s.polynomial.shifted((s.lowest - lowest) as usize);
-        Laurent::new(
-            lowest,
-            raised(self).plus(&raised(other)).coefficients().to_vec(),
-        )
+        Laurent::new(lowest, raised(self).plus(&raised(other)).coefficients().to_vec())
     }
     fn minus(&self, other: &Self) -> Self {
         self.plus(&other.negated())
@@ -200,10 +179,7 @@ impl<R: Ring> Ring for Laurent<R> {
         Laurent::new(self.lowest + other.lowest, product.coefficients().to_vec())
     }
     fn negated(&self) -> Self {
-        Laurent {
-            lowest: self.lowest,
-            polynomial: self.polynomial.negated(),
-        }
+        Laurent { lowest: self.lowest, polynomial: self.polynomial.negated() }
     }
 }
 
@@ -227,10 +203,7 @@ mod tests {
     #[test]
     fn derivative_sees_negative_exponents() {
         // d/dz (z^-2 + 3 + z) = -2 z^-3 + 1
-        assert_eq!(
-            laurent(-2, &[1, 0, 3, 1]).derivative(),
-            laurent(-3, &[-2, 0, 0, 1])
-        );
+        assert_eq!(laurent(-2, &[1, 0, 3, 1]).derivative(), laurent(-3, &[-2, 0, 0, 1]));
     }
 
     #[test]

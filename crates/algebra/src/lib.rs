@@ -6,6 +6,7 @@
 //! | `number` | the scalars [`Integer`], [`Rational`] (and `i128` as a bounded ring) |
 //! | `polynomial` | [`Polynomial`], dense in one variable over any ring |
 //! | `division` | remainders, gcd, resultant, square-free part of polynomials |
+//! | `modular` | images modulo small primes, to exclude factors of low degree |
 //! | `laurent` | [`Laurent`], dense in `z`, with negative exponents |
 //! | `parameter` | [`Parameter`], [`Monomial`] |
 //! | `parameter_polynomial` | [`ParameterPolynomial`], sparse over Q in named parameters |
@@ -27,6 +28,7 @@ mod division;
 mod fraction;
 mod laurent;
 mod matrix;
+mod modular;
 mod number;
 mod parameter;
 mod parameter_polynomial;

@@ -14,14 +14,8 @@ pub struct Matrix<R> {
 impl<R: Ring> Matrix<R> {
     /// The `rows × columns` matrix with entry `f(i, j)`.
     pub fn from_fn(rows: usize, columns: usize, mut f: impl FnMut(usize, usize) -> R) -> Self {
-        let entries = (0..rows * columns)
-            .map(|k| f(k / columns, k % columns))
-            .collect();
-        Matrix {
-            rows,
-            columns,
-            entries,
-        }
+        let entries = (0..rows * columns).map(|k| f(k / columns, k % columns)).collect();
+        Matrix { rows, columns, entries }
     }
 
     /// The identity of size `n`.
@@ -66,10 +60,7 @@ impl<R: Ring> Matrix<R> {
     /// S. J. Berkowitz, *On computing the determinant in small parallel time using a small number
     /// of processors*, Inf. Process. Lett. 18 (1984).
     pub fn characteristic_polynomial(&self) -> Polynomial<R> {
-        assert_eq!(
-            self.rows, self.columns,
-            "only a square matrix has a characteristic polynomial"
-        );
+        assert_eq!(self.rows, self.columns, "only a square matrix has a characteristic polynomial");
         let mut descending = vec![R::one()];
         for size in 1..=self.rows {
             let toeplitz = self.berkowitz_column(size);
@@ -130,10 +121,7 @@ impl<R: Domain> Matrix<R> {
     /// E. H. Bareiss, *Sylvester's identity and multistep integer-preserving Gaussian
     /// elimination*, Math. Comp. 22 (1968).
     pub fn determinant(&self) -> R {
-        assert_eq!(
-            self.rows, self.columns,
-            "only a square matrix has a determinant"
-        );
+        assert_eq!(self.rows, self.columns, "only a square matrix has a determinant");
         let n = self.rows;
         let mut m = self.clone();
         let mut previous = R::one();
@@ -149,17 +137,12 @@ impl<R: Domain> Matrix<R> {
             m.eliminate_below(k, &previous);
             previous = m.entry(k, k).clone();
         }
-        if negative {
-            previous.negated()
-        } else {
-            previous
-        }
+        if negative { previous.negated() } else { previous }
     }
 
     fn swap_rows(&mut self, i: usize, j: usize) {
         for column in 0..self.columns {
-            self.entries
-                .swap(i * self.columns + column, j * self.columns + column);
+            self.entries.swap(i * self.columns + column, j * self.columns + column);
         }
     }
 
@@ -194,10 +177,7 @@ mod tests {
             })
         });
         let expected = [-7, 5, -2, 1].map(integer).to_vec();
-        assert_eq!(
-            companion.characteristic_polynomial(),
-            Polynomial::new(expected)
-        );
+        assert_eq!(companion.characteristic_polynomial(), Polynomial::new(expected));
         assert_eq!(companion.determinant(), integer(7));
     }
 

@@ -126,26 +126,24 @@ pub fn decimal(x: &Rational, digits: u32) -> String {
 
 /// The first `digits` digits of `x > 0`, rounded, and the decimal exponent of the leading one.
 fn significant(x: &Rational, digits: u32) -> (String, i64) {
-    let guess = (x.numer().bits() as i64 - x.denom().bits() as i64) * 30103 / 100_000;
-    let mut exponent = guess + 1;
-    loop {
-        let scaled = x * power_of_ten(i64::from(digits) - 1 - exponent);
-        let rounded = (scaled + rational(1, 2)).floor().to_integer().to_string();
-        match rounded.len().cmp(&(digits as usize)) {
-            Ordering::Less => exponent -= 1,
-            Ordering::Equal => return (rounded, exponent),
-            Ordering::Greater => exponent += 1,
-        }
+    let scaled = |exponent: i64| x * power_of_ten(i64::from(digits) - 1 - exponent);
+    let whole_digits = |exponent| scaled(exponent).floor().to_integer().to_string().len();
+    let mut exponent = (x.numer().bits() as i64 - x.denom().bits() as i64) * 30103 / 100_000;
+    while whole_digits(exponent) > digits as usize {
+        exponent += 1;
     }
+    while scaled(exponent) < power_of_ten(i64::from(digits) - 1) {
+        exponent -= 1;
+    }
+    let rounded = (scaled(exponent) + rational(1, 2)).floor().to_integer().to_string();
+    // 9.96 to two digits carries to 10, one digit too many.
+    let carry = rounded.len() as i64 - i64::from(digits);
+    (rounded[..digits as usize].to_string(), exponent + carry)
 }
 
 fn power_of_ten(exponent: i64) -> Rational {
     let power = Integer::from(10u32).pow(exponent.unsigned_abs() as u32);
-    if exponent < 0 {
-        Rational::new(integer(1), power)
-    } else {
-        power.into()
-    }
+    if exponent < 0 { Rational::new(integer(1), power) } else { power.into() }
 }
 
 fn place_point(digits: &str, exponent: i64) -> String {
@@ -222,11 +220,7 @@ impl GcdDomain for Integer {
         num_integer::Integer::gcd(self, other)
     }
     fn unit_part(&self) -> Self {
-        if Signed::is_negative(self) {
-            integer(-1)
-        } else {
-            integer(1)
-        }
+        if Signed::is_negative(self) { integer(-1) } else { integer(1) }
     }
 }
 
@@ -242,11 +236,7 @@ impl GcdDomain for Rational {
         if both_zero { Zero::zero() } else { One::one() }
     }
     fn unit_part(&self) -> Self {
-        if Zero::is_zero(self) {
-            One::one()
-        } else {
-            self.clone()
-        }
+        if Zero::is_zero(self) { One::one() } else { self.clone() }
     }
 }
 
@@ -257,6 +247,8 @@ mod tests {
     #[test]
     fn decimals_round_half_away_and_keep_their_exponent() {
         assert_eq!(decimal(&rational(0, 1), 6), "0");
+        assert_eq!(decimal(&rational(47, 5), 1), "9");
+        assert_eq!(decimal(&rational(497, 5), 2), "99");
         assert_eq!(decimal(&rational(1999, 1000), 3), "2");
         assert_eq!(decimal(&rational(12345, 1), 3), "12300");
         assert_eq!(decimal(&rational(-1, 8), 17), "-0.125");
@@ -268,9 +260,7 @@ mod tests {
     fn parsing_is_exact_and_strict() {
         assert_eq!(parse_rational("-49/1152"), Some(rational(-49, 1152)));
         assert_eq!(parse_rational("0.001"), Some(rational(1, 1000)));
-        for bad in [
-            "", "-", "1/", "/2", "1/-2", ".5", "1.", "1e3", "1_000", "+1", "0x1",
-        ] {
+        for bad in ["", "-", "1/", "/2", "1/-2", ".5", "1.", "1e3", "1_000", "+1", "0x1"] {
             assert_eq!(parse_rational(bad), None, "{bad}");
         }
     }

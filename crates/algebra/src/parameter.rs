@@ -41,11 +41,7 @@ impl Monomial {
 
     /// `parameter^exponent`.
     pub fn power(parameter: Parameter, exponent: u32) -> Self {
-        Monomial(if exponent == 0 {
-            Vec::new()
-        } else {
-            vec![(parameter, exponent)]
-        })
+        Monomial(if exponent == 0 { Vec::new() } else { vec![(parameter, exponent)] })
     }
 
     /// The factors `(parameter, exponent)`, parameters ascending.
@@ -60,10 +56,7 @@ impl Monomial {
 
     /// The exponent of `parameter`.
     pub fn exponent(&self, parameter: &Parameter) -> u32 {
-        self.0
-            .iter()
-            .find(|(p, _)| p == parameter)
-            .map_or(0, |(_, e)| *e)
+        self.0.iter().find(|(p, _)| p == parameter).map_or(0, |(_, e)| *e)
     }
 
     /// `self · other`.
@@ -80,13 +73,7 @@ impl Monomial {
 
     /// The monomial with `parameter` set to one.
     pub fn without(&self, parameter: &Parameter) -> Self {
-        Monomial(
-            self.0
-                .iter()
-                .filter(|(p, _)| p != parameter)
-                .cloned()
-                .collect(),
-        )
+        Monomial(self.0.iter().filter(|(p, _)| p != parameter).cloned().collect())
     }
 }
 

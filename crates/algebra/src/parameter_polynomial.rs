@@ -42,10 +42,7 @@ impl ParameterPolynomial {
 
     /// The parameters that occur.
     pub fn parameters(&self) -> BTreeSet<Parameter> {
-        self.terms
-            .keys()
-            .flat_map(|m| m.factors().iter().map(|(p, _)| p.clone()))
-            .collect()
+        self.terms.keys().flat_map(|m| m.factors().iter().map(|(p, _)| p.clone())).collect()
     }
 
     /// The total degree; `None` for zero.
@@ -73,9 +70,7 @@ impl ParameterPolynomial {
         if c.is_zero() {
             return ParameterPolynomial::zero();
         }
-        ParameterPolynomial {
-            terms: self.terms.iter().map(|(m, a)| (m.clone(), a * c)).collect(),
-        }
+        ParameterPolynomial { terms: self.terms.iter().map(|(m, a)| (m.clone(), a * c)).collect() }
     }
 
     /// The polynomial sorted by powers of `parameter`: `Σ_k p_k · parameter^k`, the `p_k` free of it.
@@ -106,11 +101,8 @@ impl ParameterPolynomial {
     /// The polynomial as one in `parameter` alone; `None` if another parameter occurs.
     pub fn univariate(&self, parameter: &Parameter) -> Option<Polynomial<Rational>> {
         let collected = self.collected(parameter);
-        let constants: Option<Vec<_>> = collected
-            .coefficients()
-            .iter()
-            .map(ParameterPolynomial::as_constant)
-            .collect();
+        let constants: Option<Vec<_>> =
+            collected.coefficients().iter().map(ParameterPolynomial::as_constant).collect();
         constants.map(Polynomial::new)
     }
 
@@ -121,8 +113,7 @@ impl ParameterPolynomial {
 
     /// The polynomial with `parameter` set to a number.
     pub fn with(&self, parameter: &Parameter, value: &Rational) -> Self {
-        self.collected(parameter)
-            .evaluate(&ParameterPolynomial::constant(value.clone()))
+        self.collected(parameter).evaluate(&ParameterPolynomial::constant(value.clone()))
     }
 
     /// The positive rational `c` and the primitive integer polynomial `p` with `self = ± c · p`
@@ -131,16 +122,9 @@ impl ParameterPolynomial {
     /// # Panics
     /// If the polynomial is zero.
     pub fn primitive(&self) -> (bool, Rational, Self) {
-        let unit = self
-            .unit_part()
-            .as_constant()
-            .expect("units of Q[…] are constants");
+        let unit = self.unit_part().as_constant().expect("units of Q[…] are constants");
         let negative = unit < Rational::zero();
-        let size = if negative {
-            -unit.clone()
-        } else {
-            unit.clone()
-        };
+        let size = if negative { -unit.clone() } else { unit.clone() };
         (negative, size, self.scaled(&(Rational::one() / unit)))
     }
 
@@ -152,10 +136,8 @@ impl ParameterPolynomial {
     /// # Panics
     /// If the polynomial is zero.
     pub fn square_free_part(&self) -> Self {
-        let repeated = self
-            .parameters()
-            .iter()
-            .fold(self.clone(), |g, p| g.gcd(&self.derivative(p)));
+        let repeated =
+            self.parameters().iter().fold(self.clone(), |g, p| g.gcd(&self.derivative(p)));
         self.quotient(&repeated).primitive().2
     }
 
@@ -225,9 +207,7 @@ impl Ring for ParameterPolynomial {
         product
     }
     fn negated(&self) -> Self {
-        ParameterPolynomial {
-            terms: self.terms.iter().map(|(m, c)| (m.clone(), -c)).collect(),
-        }
+        ParameterPolynomial { terms: self.terms.iter().map(|(m, c)| (m.clone(), -c)).collect() }
     }
     fn add_product(&mut self, a: &Self, b: &Self) {
         for (m, c) in &a.terms {
@@ -244,9 +224,7 @@ impl Domain for ParameterPolynomial {
             return Some(self.scaled(&(Rational::one() / c)));
         }
         let parameter = divisor.parameters().into_iter().next()?;
-        let quotient = self
-            .collected(&parameter)
-            .divide_exactly(&divisor.collected(&parameter))?;
+        let quotient = self.collected(&parameter).divide_exactly(&divisor.collected(&parameter))?;
         Some(Self::from_collected(&quotient, &parameter))
     }
 }
@@ -263,11 +241,7 @@ impl GcdDomain for ParameterPolynomial {
         };
         // Integer coefficients keep the subresultants small.
         let collected = |p: &Self| {
-            let primitive = if p.is_zero() {
-                p.clone()
-            } else {
-                p.primitive().2
-            };
+            let primitive = if p.is_zero() { p.clone() } else { p.primitive().2 };
             primitive.collected(&parameter)
         };
         let common = collected(self).gcd(&collected(other));
@@ -281,15 +255,9 @@ impl GcdDomain for ParameterPolynomial {
             return ParameterPolynomial::one();
         };
         let (common, cleared) = clear_denominators(self.terms.values());
-        let content = cleared
-            .iter()
-            .fold(integer(0), |g, c| GcdDomain::gcd(&g, c));
+        let content = cleared.iter().fold(integer(0), |g, c| GcdDomain::gcd(&g, c));
         let size = Rational::new(content, common);
-        let unit = if leading < &Rational::zero() {
-            -size
-        } else {
-            size
-        };
+        let unit = if leading < &Rational::zero() { -size } else { size };
         ParameterPolynomial::constant(unit)
     }
 }
@@ -298,11 +266,7 @@ impl GcdDomain for ParameterPolynomial {
 /// degree first, as equations are printed (`8*alpha - 1`).
 impl fmt::Display for ParameterPolynomial {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let mut terms: Vec<_> = self
-            .terms
-            .iter()
-            .map(|(m, c)| (m.clone(), c.clone()))
-            .collect();
+        let mut terms: Vec<_> = self.terms.iter().map(|(m, c)| (m.clone(), c.clone())).collect();
         terms.reverse();
         if !f.alternate() {
             terms.sort_by_key(|(m, _)| m.degree());
@@ -345,9 +309,7 @@ mod tests {
 
     #[test]
     fn displays_both_ways() {
-        let p = int(1)
-            .minus(&alpha().scaled(&rational(3, 2)))
-            .plus(&alpha().times(&beta()));
+        let p = int(1).minus(&alpha().scaled(&rational(3, 2))).plus(&alpha().times(&beta()));
         assert_eq!(p.to_string(), "1 - 3/2*alpha + alpha*beta");
         assert_eq!(format!("{p:#}"), "alpha*beta - 3/2*alpha + 1");
         assert_eq!(int(0).to_string(), "0");
@@ -357,9 +319,7 @@ mod tests {
     fn gcd_finds_the_factor_two_variables_share() {
         let shared = alpha().times(&beta()).minus(&int(1));
         let a = shared.times(&alpha().plus(&beta()));
-        let b = shared
-            .times(&alpha().minus(&beta()).power(2))
-            .scaled(&rational(-7, 3));
+        let b = shared.times(&alpha().minus(&beta()).power(2)).scaled(&rational(-7, 3));
         assert_eq!(a.gcd(&b), shared);
         assert_eq!(alpha().gcd(&beta()), int(1));
         assert_eq!(int(0).gcd(&a.negated()), a);
@@ -385,10 +345,7 @@ mod tests {
     #[test]
     fn exact_division_fails_where_it_must() {
         let product = alpha().plus(&int(2)).times(&beta().plus(&alpha()));
-        assert_eq!(
-            product.divide_exactly(&alpha().plus(&int(2))),
-            Some(beta().plus(&alpha()))
-        );
+        assert_eq!(product.divide_exactly(&alpha().plus(&int(2))), Some(beta().plus(&alpha())));
         assert_eq!(product.divide_exactly(&alpha().plus(&int(3))), None);
         assert_eq!(beta().divide_exactly(&alpha()), None);
     }

@@ -65,20 +65,13 @@ impl<R: Ring> Polynomial<R> {
 
     /// The value at `x` (Horner).
     pub fn evaluate(&self, x: &R) -> R {
-        self.coefficients
-            .iter()
-            .rev()
-            .fold(R::zero(), |value, c| value.times(x).plus(c))
+        self.coefficients.iter().rev().fold(R::zero(), |value, c| value.times(x).plus(c))
     }
 
     /// The formal derivative.
     pub fn derivative(&self) -> Self {
         let scaled = self.coefficients.iter().enumerate().skip(1);
-        Polynomial::new(
-            scaled
-                .map(|(k, c)| c.times(&R::from_i64(k as i64)))
-                .collect(),
-        )
+        Polynomial::new(scaled.map(|(k, c)| c.times(&R::from_i64(k as i64))).collect())
     }
 
     /// `c · self`.
@@ -101,8 +94,7 @@ impl<R: Ring> Polynomial<R> {
     /// `self ± other` in place, without trimming; `sign` is the identity or the negation.
     fn add_scaled(&mut self, other: &Self, sign: fn(&R) -> R) {
         if self.coefficients.len() < other.coefficients.len() {
-            self.coefficients
-                .resize(other.coefficients.len(), R::zero());
+            self.coefficients.resize(other.coefficients.len(), R::zero());
         }
         for (sum, c) in self.coefficients.iter_mut().zip(&other.coefficients) {
             *sum = sum.plus(&sign(c));
@@ -116,9 +108,7 @@ impl<R: Ring> Polynomial<R> {
 
 impl<R: Ring> Ring for Polynomial<R> {
     fn zero() -> Self {
-        Polynomial {
-            coefficients: Vec::new(),
-        }
+        Polynomial { coefficients: Vec::new() }
     }
     fn one() -> Self {
         Polynomial::constant(R::one())
@@ -145,9 +135,7 @@ impl<R: Ring> Ring for Polynomial<R> {
         product
     }
     fn negated(&self) -> Self {
-        Polynomial {
-            coefficients: self.coefficients.iter().map(R::negated).collect(),
-        }
+        Polynomial { coefficients: self.coefficients.iter().map(R::negated).collect() }
     }
     fn add_product(&mut self, a: &Self, b: &Self) {
         if a.is_zero() || b.is_zero() {
@@ -157,12 +145,7 @@ impl<R: Ring> Ring for Polynomial<R> {
         if self.coefficients.len() < length {
             self.coefficients.resize(length, R::zero());
         }
-        for (i, x) in a
-            .coefficients
-            .iter()
-            .enumerate()
-            .filter(|(_, x)| !x.is_zero())
-        {
+        for (i, x) in a.coefficients.iter().enumerate().filter(|(_, x)| !x.is_zero()) {
             for (sum, y) in self.coefficients[i..].iter_mut().zip(&b.coefficients) {
                 sum.add_product(x, y);
             }
@@ -200,8 +183,7 @@ impl Polynomial<Integer> {
 
     /// The sign as `x → +∞`.
     pub fn sign_at_infinity(&self) -> Ordering {
-        self.leading()
-            .map_or(Ordering::Equal, Ordered::compare_to_zero)
+        self.leading().map_or(Ordering::Equal, Ordered::compare_to_zero)
     }
 
     /// `p(x)` for a rational `x`.
@@ -211,12 +193,7 @@ impl Polynomial<Integer> {
 
     /// Writes the polynomial in the named variable, highest power first: `32*w^3 + 4*w - 1`.
     pub fn display(&self, variable: &str) -> String {
-        let terms = self
-            .coefficients
-            .iter()
-            .enumerate()
-            .rev()
-            .filter(|(_, c)| !c.is_zero());
+        let terms = self.coefficients.iter().enumerate().rev().filter(|(_, c)| !c.is_zero());
         let mut text = String::new();
         for (k, c) in terms {
             let power = match k {

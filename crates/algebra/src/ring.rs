@@ -59,8 +59,7 @@ pub trait Domain: Ring {
     /// # Panics
     /// If `divisor` does not divide `self`.
     fn quotient(&self, divisor: &Self) -> Self {
-        self.divide_exactly(divisor)
-            .expect("the theorem behind this step makes the division exact")
+        self.divide_exactly(divisor).expect("the theorem behind this step makes the division exact")
     }
 }
 
@@ -80,10 +79,6 @@ pub trait Ordered: Ring + Ord {
 
     /// `|self|`.
     fn absolute(&self) -> Self {
-        if self.compare_to_zero() == Ordering::Less {
-            self.negated()
-        } else {
-            self.clone()
-        }
+        if self.compare_to_zero() == Ordering::Less { self.negated() } else { self.clone() }
     }
 }
