@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 use std::fmt;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use refinable_algebra::{
     Integer, Ordered, Polynomial, Rational, Ring, bit_length, decimal, integer, rational,
@@ -10,7 +10,7 @@ use refinable_algebra::{
 
 use crate::bernstein::Bernstein;
 use crate::exact_form::ExactForm;
-use crate::isolate::{changes_sign, common_part};
+use crate::isolate::{changes_sign, common_part, real_roots};
 
 /// A real algebraic number: a rational number, or the only root of an integer polynomial in an open
 /// interval with rational ends. Immutable; equality and order are those of the numbers.
@@ -25,11 +25,21 @@ enum Form {
         polynomial: Arc<Polynomial<Integer>>,
         lower: Rational,
         upper: Rational,
+        known: Arc<Known>,
     },
+}
+
+/// What has been found out about a number, shared by all its enclosures; it only saves time.
+#[derive(Default)]
+struct Known {
+    rational: OnceLock<Option<Rational>>,
+    exact: OnceLock<ExactForm>,
 }
 
 /// Halvings before an exact zero test by a gcd; most comparisons are decided long before.
 const PATIENCE: u32 = 12;
+/// Relative bits of the interval of an irrational number in its simplest form.
+const SHARP: u32 = 60;
 
 impl RealAlgebraic {
     /// The only root of `polynomial` in the open interval `(lower, upper)`.
@@ -42,11 +52,22 @@ impl RealAlgebraic {
         upper: Rational,
     ) -> Self {
         debug_assert!(changes_sign(&polynomial, &lower, &upper));
-        RealAlgebraic(Form::Root {
-            polynomial,
-            lower,
-            upper,
-        })
+        RealAlgebraic(Form::Root { polynomial, lower, upper, known: Arc::default() })
+    }
+
+    /// `p + q √d` for rational `p`, `q` and `d ≥ 0`.
+    ///
+    /// # Panics
+    /// If `d` is negative.
+    pub fn quadratic(p: &Rational, q: &Rational, d: &Rational) -> Self {
+        assert!(d.compare_to_zero().is_ge(), "the root of a negative number is not real");
+        // x² - 2p x + p² - q² d, whose smaller root belongs to the minus sign.
+        let constant = p * p - q * q * d;
+        let quadratic =
+            Polynomial::new(vec![constant, p * integer(-2), Rational::from(integer(1))]);
+        let roots = real_roots(&quadratic.cleared().1);
+        let root = if q.compare_to_zero().is_lt() { roots.first() } else { roots.last() };
+        root.expect("the discriminant 4 q² d is not negative").simplified()
     }
 
     /// The number if it is stored as a rational one; see [`simplified`](Self::simplified).
@@ -81,12 +102,8 @@ impl RealAlgebraic {
     /// # Cost
     /// One evaluation of the polynomial per halving.
     pub fn enclosure(&self, width: &Rational) -> (Rational, Rational) {
-        assert!(
-            width.compare_to_zero().is_gt(),
-            "an enclosure needs a positive width"
-        );
-        self.refined_until(|lower, upper| upper - lower <= *width)
-            .bounds()
+        assert!(width.compare_to_zero().is_gt(), "an enclosure needs a positive width");
+        self.refined_until(|lower, upper| upper - lower <= *width).bounds()
     }
 
     /// The same number with a tighter interval, halved until `enough(lower, upper)`.
@@ -104,12 +121,7 @@ impl RealAlgebraic {
 
     /// One bisection step.
     pub(crate) fn halved(&self) -> Self {
-        let Form::Root {
-            polynomial,
-            lower,
-            upper,
-        } = &self.0
-        else {
+        let Form::Root { polynomial, lower, upper, known } = &self.0 else {
             return self.clone();
         };
         let middle = (lower + upper) / integer(2);
@@ -122,32 +134,37 @@ impl RealAlgebraic {
         } else {
             (lower.clone(), middle)
         };
-        RealAlgebraic(Form::Root {
-            polynomial: polynomial.clone(),
-            lower,
-            upper,
-        })
+        let (polynomial, known) = (polynomial.clone(), known.clone());
+        RealAlgebraic(Form::Root { polynomial, lower, upper, known })
     }
 
-    /// The number in rational form if it is rational. A root `p/q` of a polynomial with leading
-    /// coefficient `c` has `q | c`, so `c · self` is the only integer in a short enough interval.
+    /// The number in rational form if it is rational; else with an interval short enough for most
+    /// further questions.
     pub fn simplified(&self) -> Self {
-        let Form::Root { polynomial, .. } = &self.0 else {
+        let Form::Root { polynomial, known, .. } = &self.0 else {
             return self.clone();
         };
+        match known.rational.get_or_init(|| self.rational_value(polynomial)) {
+            Some(x) => x.clone().into(),
+            None => self.refined_until(|lower, upper| {
+                (upper - lower) * integer(1 << SHARP) <= lower.absolute().min(upper.absolute())
+            }),
+        }
+    }
+
+    /// A root `p/q` of a polynomial with leading coefficient `c` has `q | c`, so `c · self` is the
+    /// only integer in a short enough interval.
+    fn rational_value(&self, polynomial: &Polynomial<Integer>) -> Option<Rational> {
+        if polynomial.surely_has_no_factor_up_to(1) {
+            return None;
+        }
         let leading = Rational::from(polynomial.leading().expect("not zero").absolute());
         let one = rational(1, 1);
         let narrow = self.refined_until(|lower, upper| (upper - lower) * &leading < one);
-        let (_, upper) = narrow.bounds();
-        let candidate = (upper * &leading).floor() / leading;
-        match narrow.0 {
-            Form::Root {
-                ref polynomial,
-                ref lower,
-                ..
-            } if candidate > *lower && polynomial.sign_at(&candidate).is_eq() => candidate.into(),
-            _ => narrow,
-        }
+        let (lower, upper) = narrow.bounds();
+        let candidate = (&upper * &leading).floor() / leading;
+        let inside = lower <= candidate && candidate <= upper;
+        (inside && polynomial.sign_at(&candidate).is_eq()).then_some(candidate)
     }
 
     /// The exact sign of `polynomial` at this number.
@@ -182,11 +199,9 @@ impl RealAlgebraic {
     fn is_root_of(&self, polynomial: &Polynomial<Integer>) -> bool {
         match &self.0 {
             Form::Rational(x) => polynomial.sign_at(x).is_eq(),
-            Form::Root {
-                polynomial: own,
-                lower,
-                upper,
-            } => changes_sign(&common_part(own, polynomial), lower, upper),
+            Form::Root { polynomial: own, lower, upper, .. } => {
+                changes_sign(&common_part(own, polynomial), lower, upper)
+            }
         }
     }
 
@@ -208,22 +223,33 @@ impl RealAlgebraic {
 
     /// `p/q`, radicals or `root(POLY, k)`.
     pub fn exact_form(&self) -> ExactForm {
-        ExactForm::of(self)
+        match &self.0 {
+            Form::Rational(x) => ExactForm::Rational(x.clone()),
+            Form::Root { known, .. } => known.exact.get_or_init(|| ExactForm::of(self)).clone(),
+        }
     }
 
     /// `self` rounded to `digits` significant digits, as text.
     pub fn decimal(&self, digits: u32) -> String {
-        if let Some(x) = self.simplified().as_rational() {
-            return decimal(x, digits);
+        let x = self.simplified();
+        let text = |x: &Rational| decimal(x, digits);
+        // An irrational number is no tie, so both ends round alike in the end.
+        let narrow = x.refined_until(|lower, upper| text(lower) == text(upper));
+        text(&narrow.bounds().0)
+    }
+
+    /// The interval `[k, k + 1] / 10^digits` around an irrational number, and `[x, x]` for a rational
+    /// one: bounds that depend on nothing but the number.
+    pub fn decimal_enclosure(&self, digits: u32) -> (Rational, Rational) {
+        let x = self.simplified();
+        if let Some(x) = x.as_rational() {
+            return (x.clone(), x.clone());
         }
-        // An irrational number is not zero: a relative width of 10^-(digits+3) is within reach.
-        let scale = Rational::new(integer(1), integer(10).power(digits + 3));
-        let narrow = self.refined_until(|lower, upper| {
-            lower.compare_to_zero() == upper.compare_to_zero()
-                && upper - lower <= lower.absolute() * &scale
-        });
-        let (lower, upper) = narrow.bounds();
-        decimal(&((lower + upper) / integer(2)), digits)
+        let scale = Rational::from(integer(10).power(digits));
+        let floor = |x: &Rational| (x * &scale).floor();
+        let narrow = x.refined_until(|lower, upper| floor(lower) == floor(upper));
+        let lower = floor(&narrow.bounds().0);
+        (&lower / &scale, (lower + rational(1, 1)) / scale)
     }
 }
 
@@ -233,11 +259,7 @@ fn short_between(a: &Rational, b: &Rational) -> Rational {
     let extra = bit_length(gap.denom()).saturating_sub(bit_length(gap.numer())) + 2;
     let middle = (a + b) / integer(2);
     let candidate = refinable_algebra::floor_half_power(&middle, extra as u32);
-    if *a < candidate && candidate < *b {
-        candidate
-    } else {
-        middle
-    }
+    if *a < candidate && candidate < *b { candidate } else { middle }
 }
 
 impl From<Rational> for RealAlgebraic {
@@ -253,66 +275,85 @@ impl From<Integer> for RealAlgebraic {
 }
 
 impl Ord for RealAlgebraic {
+    /// # Cost
+    /// Against a rational number at most one evaluation. Otherwise a few, and a gcd only for
+    /// numbers that are equal, or extremely close, and given by different polynomials.
     fn cmp(&self, other: &Self) -> Ordering {
+        match (&self.0, &other.0) {
+            (Form::Rational(x), Form::Rational(y)) => x.cmp(y),
+            (Form::Rational(x), Form::Root { .. }) => other.cmp_rational(x).reverse(),
+            (Form::Root { .. }, Form::Rational(y)) => self.cmp_rational(y),
+            (Form::Root { .. }, Form::Root { .. }) => self.cmp_root(other),
+        }
+    }
+}
+
+impl RealAlgebraic {
+    /// Against a rational number: the polynomial changes sign only at the root.
+    fn cmp_rational(&self, y: &Rational) -> Ordering {
+        match &self.0 {
+            Form::Rational(x) => x.cmp(y),
+            Form::Root { lower, .. } if y <= lower => Ordering::Greater,
+            Form::Root { upper, .. } if y >= upper => Ordering::Less,
+            Form::Root { polynomial, lower, .. } => match polynomial.sign_at(y) {
+                Ordering::Equal => Ordering::Equal,
+                sign if sign == polynomial.sign_at(lower) => Ordering::Greater,
+                _ => Ordering::Less,
+            },
+        }
+    }
+
+    /// Two roots: each is first placed against the ends of the other's interval; if both lie in the
+    /// common part they are equal iff a gcd says so.
+    fn cmp_root(&self, other: &Self) -> Ordering {
         let (mut a, mut b) = (self.clone(), other.clone());
         for step in 0.. {
-            if let (Form::Rational(x), Form::Rational(y)) = (&a.0, &b.0) {
-                return x.cmp(y);
+            if let Some(decided) =
+                a.separated(&b).or_else(|| b.separated(&a).map(Ordering::reverse))
+            {
+                return decided;
             }
-            let ((a_lower, a_upper), (b_lower, b_upper)) = (a.bounds(), b.bounds());
-            // One of the two is inside an open interval, so touching bounds separate as well.
-            if a_upper <= b_lower {
-                return Ordering::Less;
-            }
-            if b_upper <= a_lower {
-                return Ordering::Greater;
-            }
-            if step == PATIENCE && a.equals(&b) {
+            if (step == 0 && a.shares_polynomial(&b)) || (step == PATIENCE && a.equals(&b)) {
                 return Ordering::Equal;
             }
             (a, b) = (a.halved(), b.halved());
         }
         unreachable!("distinct numbers have disjoint enclosures in the end")
     }
-}
 
-impl RealAlgebraic {
-    /// Equality of two numbers whose intervals overlap, at least one of them not stored as rational.
+    /// The order of the two, if `self` lies outside the open interval of `other`.
+    fn separated(&self, other: &Self) -> Option<Ordering> {
+        let (lower, upper) = other.bounds();
+        if lower == upper {
+            return Some(self.cmp_rational(&lower));
+        }
+        if self.cmp_rational(&lower).is_le() {
+            return Some(Ordering::Less);
+        }
+        self.cmp_rational(&upper).is_ge().then_some(Ordering::Greater)
+    }
+
+    /// Whether both are given by the same polynomial; each is its only root in either interval then,
+    /// once both lie in both.
+    fn shares_polynomial(&self, other: &Self) -> bool {
+        match (&self.0, &other.0) {
+            (Form::Root { polynomial: p, .. }, Form::Root { polynomial: q, .. }) => p == q,
+            _ => false,
+        }
+    }
+
+    /// Equality of two roots that both lie in both intervals: a root of `gcd(p, q)` in the common
+    /// interval is the only root of `p` there, and of `q`.
     fn equals(&self, other: &Self) -> bool {
         match (&self.0, &other.0) {
             (
-                Form::Rational(x),
-                Form::Root {
-                    polynomial,
-                    lower,
-                    upper,
-                },
-            )
-            | (
-                Form::Root {
-                    polynomial,
-                    lower,
-                    upper,
-                },
-                Form::Rational(x),
-            ) => lower < x && x < upper && polynomial.sign_at(x).is_eq(),
-            (
-                Form::Root {
-                    polynomial: p,
-                    lower: p_lower,
-                    upper: p_upper,
-                },
-                Form::Root {
-                    polynomial: q,
-                    lower: q_lower,
-                    upper: q_upper,
-                },
+                Form::Root { polynomial: p, lower: p_lower, upper: p_upper, .. },
+                Form::Root { polynomial: q, lower: q_lower, upper: q_upper, .. },
             ) => {
-                // A root of gcd(p, q) in the common interval is the only root of p there, and of q.
                 let (lower, upper) = (p_lower.max(q_lower), p_upper.min(q_upper));
                 changes_sign(&common_part(p, q), lower, upper)
             }
-            (Form::Rational(x), Form::Rational(y)) => x == y,
+            _ => self.cmp(other).is_eq(),
         }
     }
 }
@@ -340,7 +381,6 @@ impl fmt::Debug for RealAlgebraic {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::isolate::real_roots;
 
     fn poly(coefficients: &[i64]) -> Polynomial<Integer> {
         Polynomial::new(coefficients.iter().map(|&c| integer(c)).collect())
@@ -353,9 +393,7 @@ mod tests {
     #[test]
     fn equal_numbers_from_different_polynomials() {
         // √2 is a root of x²-2 and of (x²-2)(x-7)(x²-3).
-        let other = poly(&[-2, 0, 1])
-            .times(&poly(&[-7, 1]))
-            .times(&poly(&[-3, 0, 1]));
+        let other = poly(&[-2, 0, 1]).times(&poly(&[-7, 1])).times(&poly(&[-3, 0, 1]));
         let roots = real_roots(&other);
         assert_eq!(roots[2], sqrt(2));
         assert!(roots[3] > sqrt(2));

@@ -31,10 +31,7 @@ impl Bernstein {
         lower: &Rational,
         upper: &Rational,
     ) -> Self {
-        assert!(
-            polynomial.degree().is_none_or(|d| d <= degree),
-            "the formal degree is too low"
-        );
+        assert!(polynomial.degree().is_none_or(|d| d <= degree), "the formal degree is too low");
         let (origin, width, scale) = integer_ends(lower, upper);
         // In y = q x the coefficients are c_k q^(n-k); then y = origin + width · u.
         let mut c: Vec<Integer> = Vec::with_capacity(degree + 1);
@@ -46,9 +43,7 @@ impl Bernstein {
         c.reverse();
         taylor_shift(&mut c, &origin);
         scale_argument(&mut c, &width);
-        Bernstein {
-            coefficients: bernstein_from_monomial(c),
-        }
+        Bernstein { coefficients: bernstein_from_monomial(c) }
     }
 
     /// The coefficients `b_0, …, b_n`; `b_0` and `b_n` are the values at the ends.
@@ -71,10 +66,7 @@ impl Bernstein {
     /// The sign on the closed interval, if all coefficients show the same strict one.
     pub fn constant_sign(&self) -> Option<Ordering> {
         let first = self.coefficients.first()?.compare_to_zero();
-        let same = self
-            .coefficients
-            .iter()
-            .all(|b| b.compare_to_zero() == first);
+        let same = self.coefficients.iter().all(|b| b.compare_to_zero() == first);
         (first.is_ne() && same).then_some(first)
     }
 
@@ -90,12 +82,7 @@ impl Bernstein {
             row = row.windows(2).map(|pair| &pair[0] + &pair[1]).collect();
         }
         right.reverse();
-        (
-            Bernstein { coefficients: left },
-            Bernstein {
-                coefficients: right,
-            },
-        )
+        (Bernstein { coefficients: left }, Bernstein { coefficients: right })
     }
 }
 
@@ -179,16 +166,11 @@ mod tests {
         let (left, right) = Bernstein::new(&p, 4, &lo, &hi).split();
         for (half, a, b) in [(left, &lo, &mid), (right, &mid, &hi)] {
             let fresh = Bernstein::new(&p, 4, a, b);
-            let ratio = Rational::new(
-                half.coefficients()[0].clone(),
-                fresh.coefficients()[0].clone(),
-            );
+            let ratio =
+                Rational::new(half.coefficients()[0].clone(), fresh.coefficients()[0].clone());
             assert!(ratio > rational(0, 1));
             for (x, y) in half.coefficients().iter().zip(fresh.coefficients()) {
-                assert_eq!(
-                    Rational::from(x.clone()),
-                    &ratio * Rational::from(y.clone())
-                );
+                assert_eq!(Rational::from(x.clone()), &ratio * Rational::from(y.clone()));
             }
         }
     }

@@ -8,7 +8,7 @@ use refinable_algebra::{
 use crate::algebraic::RealAlgebraic;
 use crate::isolate::real_roots;
 
-/// The canonical way to write a real algebraic number.
+/// A way to write a real algebraic number; for degree one and two the only one.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum ExactForm {
     /// A rational number.
@@ -41,27 +41,26 @@ pub struct Radical {
 impl ExactForm {
     /// The form of `x`: rational if it is, radical if a quadratic factor is found, root otherwise.
     pub(crate) fn of(x: &RealAlgebraic) -> Self {
+        let square_free = SquareFree::part_of(&x.polynomial()).polynomial().clone();
+        if square_free.surely_has_no_factor_up_to(2) {
+            let roots = real_roots(&square_free);
+            return ExactForm::root(square_free, &roots, x);
+        }
         let x = x.simplified();
         if let Some(x) = x.as_rational() {
             return ExactForm::Rational(x.clone());
         }
-        let polynomial = SquareFree::part_of(&x.polynomial()).polynomial().clone();
-        let roots = real_roots(&polynomial);
-        let at = roots
-            .iter()
-            .position(|r| *r == x)
-            .expect("a number is a root of its polynomial");
-        let others = roots.iter().enumerate().filter(|(k, _)| *k != at);
-        others
-            .filter_map(|(_, other)| quadratic_factor(&polynomial, &x, other))
-            .next()
-            .map_or_else(
-                || ExactForm::Root {
-                    polynomial: polynomial.clone(),
-                    index: at + 1,
-                },
-                |factor| ExactForm::Radical(radical(&factor, &x)),
-            )
+        let (polynomial, roots) = without_rational_roots(square_free);
+        let mut others = roots.iter().filter(|other| **other != x);
+        match others.find_map(|other| quadratic_factor(&polynomial, &x, other)) {
+            Some(factor) => ExactForm::Radical(radical(&factor, &x)),
+            None => ExactForm::root(polynomial, &roots, &x),
+        }
+    }
+
+    fn root(polynomial: Polynomial<Integer>, roots: &[RealAlgebraic], x: &RealAlgebraic) -> Self {
+        let at = roots.iter().position(|root| root == x);
+        ExactForm::Root { polynomial, index: at.expect("x is one of the roots") + 1 }
     }
 
     /// `p/q`, `(3 - sqrt(3))/64` without blanks, or `root(32*w^3 + 4*w - 1, 1)`.
@@ -99,6 +98,21 @@ impl std::fmt::Display for Radical {
     }
 }
 
+/// A square-free polynomial divided by the linear factors of all rational roots, and the real roots
+/// that are left.
+fn without_rational_roots(
+    mut rest: Polynomial<Integer>,
+) -> (Polynomial<Integer>, Vec<RealAlgebraic>) {
+    let mut irrational = Vec::new();
+    for root in real_roots(&rest).iter().map(RealAlgebraic::simplified) {
+        match root.as_rational() {
+            Some(_) => rest = rest.quotient(&root.polynomial()),
+            None => irrational.push(root),
+        }
+    }
+    (rest, irrational)
+}
+
 /// The primitive quadratic factor of `p` with the roots `x` and `y`, if there is one.
 ///
 /// Its leading coefficient divides the leading coefficient `c` of `p`, so `c (x + y)` and `c x y`
@@ -125,7 +139,8 @@ fn quadratic_factor(
         (x, y) = (x.halved(), y.halved());
     };
     let factor = Polynomial::new(vec![product, -sum, c.to_integer()]).primitive_part();
-    p.divide_exactly(&factor).map(|_| factor)
+    // Another quadratic factor may fit the enclosures: this one must have the root x.
+    (x.sign_of(&factor).is_eq() && p.divide_exactly(&factor).is_some()).then_some(factor)
 }
 
 /// The only integer in a closed interval shorter than one.
@@ -144,9 +159,7 @@ fn radical(factor: &Polynomial<Integer>, x: &RealAlgebraic) -> Radical {
     let denominator = integer(2) * a;
     let common = [&coefficient, &denominator]
         .into_iter()
-        .fold(b.absolute(), |g, n| {
-            refinable_algebra::GcdDomain::gcd(&g, n)
-        });
+        .fold(b.absolute(), |g, n| refinable_algebra::GcdDomain::gcd(&g, n));
     Radical {
         rational_part: -b / &common,
         coefficient: coefficient / &common,
@@ -166,11 +179,7 @@ fn split_square(n: Integer) -> (Integer, Integer) {
         }
     }
     let root = integer_square_root(&inside);
-    if &root * &root == inside {
-        (outside * root, integer(1))
-    } else {
-        (outside, inside)
-    }
+    if &root * &root == inside { (outside * root, integer(1)) } else { (outside, inside) }
 }
 
 #[cfg(test)]
@@ -182,19 +191,13 @@ mod tests {
     }
 
     fn forms(coefficients: &[i64]) -> Vec<String> {
-        real_roots(&poly(coefficients))
-            .iter()
-            .map(|x| x.exact_form().display("t"))
-            .collect()
+        real_roots(&poly(coefficients)).iter().map(|x| x.exact_form().display("t")).collect()
     }
 
     #[test]
     fn radicals_in_the_normal_form_of_the_contract() {
         // 4096 t² - 384 t + 6 = 0: t = (3 ± √3)/64
-        assert_eq!(
-            forms(&[6, -384, 4096]),
-            ["(3-sqrt(3))/64", "(3+sqrt(3))/64"]
-        );
+        assert_eq!(forms(&[6, -384, 4096]), ["(3-sqrt(3))/64", "(3+sqrt(3))/64"]);
         // 16 t² + 4 t - 1 = 0: t = (-1 ± √5)/8
         assert_eq!(forms(&[-1, 4, 16]), ["(-1-sqrt(5))/8", "(-1+sqrt(5))/8"]);
         assert_eq!(forms(&[-2, 0, 1]), ["-sqrt(2)", "sqrt(2)"]);
@@ -205,17 +208,11 @@ mod tests {
     fn a_quadratic_factor_hides_in_a_larger_polynomial() {
         // (t² - t - 1)(t³ - 2)
         let p = poly(&[-1, -1, 1]).times(&poly(&[-2, 0, 0, 1]));
-        let forms: Vec<String> = real_roots(&p)
-            .iter()
-            .map(|x| x.exact_form().display("t"))
-            .collect();
+        let forms: Vec<String> =
+            real_roots(&p).iter().map(|x| x.exact_form().display("t")).collect();
         assert_eq!(
             forms,
-            [
-                "(1-sqrt(5))/2",
-                "root(t^5 - t^4 - t^3 - 2*t^2 + 2*t + 2, 2)",
-                "(1+sqrt(5))/2"
-            ]
+            ["(1-sqrt(5))/2", "root(t^5 - t^4 - t^3 - 2*t^2 + 2*t + 2, 2)", "(1+sqrt(5))/2"]
         );
     }
 

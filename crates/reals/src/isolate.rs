@@ -40,22 +40,13 @@ pub fn real_roots_between(
     if degree == 1 {
         let root = Rational::new(-polynomial.coefficient(0), polynomial.coefficient(1));
         let inside = *lower < root && root < *upper;
-        return if inside {
-            vec![root.into()]
-        } else {
-            Vec::new()
-        };
+        return if inside { vec![root.into()] } else { Vec::new() };
     }
     let form = Bernstein::new(polynomial, degree, lower, upper);
     match form.variations() {
         0 => Vec::new(),
         // A single simple root; bisection may go on with the polynomial as it is.
-        1 => isolate(
-            &Arc::new(polynomial.clone()),
-            form,
-            lower.clone(),
-            upper.clone(),
-        ),
+        1 => isolate(&Arc::new(polynomial.clone()), form, lower.clone(), upper.clone()),
         _ => {
             let square_free = SquareFree::part_of(polynomial).polynomial().clone();
             let degree = square_free.degree().expect("not zero");
@@ -110,24 +101,35 @@ fn ends_differ(form: &Bernstein) -> bool {
     !b[0].is_zero() && !b[b.len() - 1].is_zero()
 }
 
-/// A power of two above the size of every root: `2 max |c_k / c_n|^(1/(n-k))` (Fujiwara), rounded up.
-fn root_bound(polynomial: &Polynomial<Integer>) -> Rational {
-    let degree = polynomial.degree().unwrap_or(0);
+/// An exponent `e` with all roots inside `(-2^e, 2^e)`: Fujiwara's bound
+/// `2 max |c_k / c_n|^(1/(n-k))`, rounded up.
+///
+/// # Panics
+/// If the polynomial is zero.
+///
+/// # Cost
+/// Bit lengths only.
+pub fn root_bound_exponent(polynomial: &Polynomial<Integer>) -> i64 {
+    let degree = polynomial.degree().expect("every number is a root of zero");
     let leading = polynomial.leading().map_or(1, bit_length) as i64;
     let exponents = polynomial.coefficients().iter().enumerate().take(degree);
-    let exponent = exponents
+    exponents
         .filter(|(_, c)| !c.is_zero())
         // |c_k / c_n| < 2^(bits(c_k) - bits(c_n) + 1)
         .map(|(k, c)| (bit_length(c) as i64 - leading + 1).div_euclid((degree - k) as i64) + 1)
         .max()
         .unwrap_or(0)
-        + 1;
+        + 1
+}
+
+fn root_bound(polynomial: &Polynomial<Integer>) -> Rational {
+    power_of_two(root_bound_exponent(polynomial))
+}
+
+/// `2^exponent`.
+pub fn power_of_two(exponent: i64) -> Rational {
     let power = integer(1) << exponent.unsigned_abs();
-    if exponent < 0 {
-        Rational::new(integer(1), power)
-    } else {
-        power.into()
-    }
+    if exponent < 0 { Rational::new(integer(1), power) } else { power.into() }
 }
 
 /// Whether `polynomial`, known to have at most one simple root in the open interval and none at
@@ -167,10 +169,7 @@ mod tests {
     fn multiple_roots_count_once_and_complex_ones_not_at_all() {
         // (x²-2)² (x²+1) x
         let square = poly(&[-2, 0, 1]);
-        let p = square
-            .times(&square)
-            .times(&poly(&[1, 0, 1]))
-            .times(&poly(&[0, 1]));
+        let p = square.times(&square).times(&poly(&[1, 0, 1])).times(&poly(&[0, 1]));
         let roots = real_roots(&p);
         assert_eq!(roots.len(), 3);
         assert_eq!(roots[1], rational(0, 1).into());
@@ -190,9 +189,7 @@ mod tests {
     fn close_roots_are_told_apart() {
         // (2^20 x - 1)(2^20 x - 2)(x² - 2)
         let big = 1 << 20;
-        let p = poly(&[-1, big])
-            .times(&poly(&[-2, big]))
-            .times(&poly(&[-2, 0, 1]));
+        let p = poly(&[-1, big]).times(&poly(&[-2, big])).times(&poly(&[-2, 0, 1]));
         assert_eq!(real_roots(&p).len(), 4);
     }
 }

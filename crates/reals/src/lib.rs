@@ -3,12 +3,14 @@
 //! | module | noun |
 //! |---|---|
 //! | `bernstein` | [`Bernstein`]: a polynomial on an interval, with Descartes' bound on its roots |
+//! | `rounded` | [`RoundedBernstein`]: the same in fixed point with a known error |
 //! | `isolate` | isolation of all real roots, or of those in an interval |
 //! | `algebraic` | [`RealAlgebraic`]: exact comparison, signs of polynomials, enclosures |
 //! | `exact_form` | [`ExactForm`]: `p/q`, radicals, `root(POLY, k)` |
 //! | `region` | [`Region`]: finite unions of intervals with exact ends, canonical |
 //! | `point` | [`Point`]: a point of parameter space with real algebraic coordinates |
 //! | `system` | common zeros of two polynomials in two parameters |
+//! | `variety` | [`Component`]: pieces of the zero set of several polynomials |
 //!
 //! No float decides anything; every answer is exact.
 //!
@@ -29,12 +31,16 @@ mod exact_form;
 mod isolate;
 mod point;
 mod region;
+mod rounded;
 mod system;
+mod variety;
 
 pub use algebraic::RealAlgebraic;
 pub use bernstein::Bernstein;
 pub use exact_form::{ExactForm, Radical};
-pub use isolate::{real_roots, real_roots_between};
+pub use isolate::{power_of_two, real_roots, real_roots_between, root_bound_exponent};
 pub use point::Point;
 pub use region::{Bound, Interval, Region};
+pub use rounded::RoundedBernstein;
 pub use system::{common_zeros, has_real_point};
+pub use variety::{Component, Unsolved, common_zero_set};

@@ -21,12 +21,7 @@ type Enclosure = (Rational, Rational);
 impl Point {
     /// The point with these coordinates.
     pub fn new(coordinates: impl IntoIterator<Item = (Parameter, RealAlgebraic)>) -> Self {
-        Point {
-            coordinates: coordinates
-                .into_iter()
-                .map(|(p, x)| (p, x.simplified()))
-                .collect(),
-        }
+        Point { coordinates: coordinates.into_iter().map(|(p, x)| (p, x.simplified())).collect() }
     }
 
     /// The coordinates, by parameter.
@@ -52,14 +47,9 @@ impl Point {
         }
         let unknown: Vec<Parameter> = rest.parameters().into_iter().collect();
         match unknown.as_slice() {
-            [] => rest
-                .as_constant()
-                .expect("no parameter is left")
-                .compare_to_zero(),
+            [] => rest.as_constant().expect("no parameter is left").compare_to_zero(),
             [parameter] => {
-                let (_, p) = rest
-                    .cleared_univariate(parameter)
-                    .expect("one parameter is left");
+                let (_, p) = rest.cleared_univariate(parameter).expect("one parameter is left");
                 self.coordinate(parameter).sign_of(&p)
             }
             _ => self.sign_of_several(&rest, &unknown),
@@ -67,18 +57,14 @@ impl Point {
     }
 
     fn coordinate(&self, parameter: &Parameter) -> &RealAlgebraic {
-        self.coordinates
-            .get(parameter)
-            .expect("the point has a coordinate for every parameter")
+        self.coordinates.get(parameter).expect("the point has a coordinate for every parameter")
     }
 
     /// Shrinks the box around the point until the sign shows, or until the value is closer to zero
     /// than any nonzero conjugate of it can be.
     fn sign_of_several(&self, polynomial: &ParameterPolynomial, unknown: &[Parameter]) -> Ordering {
-        let mut here: BTreeMap<_, _> = unknown
-            .iter()
-            .map(|p| (p.clone(), self.coordinate(p).clone()))
-            .collect();
+        let mut here: BTreeMap<_, _> =
+            unknown.iter().map(|p| (p.clone(), self.coordinate(p).clone())).collect();
         let mut gap = None;
         for step in 0.. {
             let (lower, upper) = enclose(polynomial, &here);
@@ -124,15 +110,8 @@ impl Point {
 /// polynomial).
 fn root_gap(polynomial: &Polynomial<Integer>) -> Rational {
     let nonzero = polynomial.coefficients().iter().find(|c| !c.is_zero());
-    let lowest = nonzero
-        .expect("the polynomial is monic in w, up to a constant")
-        .absolute();
-    let largest = polynomial
-        .coefficients()
-        .iter()
-        .map(Ordered::absolute)
-        .max()
-        .expect("not zero");
+    let lowest = nonzero.expect("the polynomial is monic in w, up to a constant").absolute();
+    let largest = polynomial.coefficients().iter().map(Ordered::absolute).max().expect("not zero");
     Rational::new(lowest.clone(), lowest + largest)
 }
 
@@ -144,11 +123,7 @@ fn enclose(
     if let Some(c) = polynomial.as_constant() {
         return (c.clone(), c);
     }
-    let parameter = polynomial
-        .parameters()
-        .into_iter()
-        .next()
-        .expect("not constant");
+    let parameter = polynomial.parameters().into_iter().next().expect("not constant");
     let x = here[&parameter].bounds();
     let collected = polynomial.collected(&parameter);
     let zero = (Rational::zero(), Rational::zero());
@@ -172,9 +147,7 @@ mod tests {
     use refinable_algebra::integer;
 
     fn sqrt(n: i64) -> RealAlgebraic {
-        real_roots(&Polynomial::new([-n, 0, 1].map(integer).to_vec()))
-            .pop()
-            .unwrap()
+        real_roots(&Polynomial::new([-n, 0, 1].map(integer).to_vec())).pop().unwrap()
     }
 
     #[test]
@@ -184,10 +157,7 @@ mod tests {
         let [x, y] = [x, y].map(|p| ParameterPolynomial::parameter(&p));
         let int = ParameterPolynomial::from_i64;
         // x²y² = 6, and xy = √6 > 2.449
-        assert_eq!(
-            point.sign_of(&x.times(&y).power(2).minus(&int(6))),
-            Ordering::Equal
-        );
+        assert_eq!(point.sign_of(&x.times(&y).power(2).minus(&int(6))), Ordering::Equal);
         let c = ParameterPolynomial::constant(refinable_algebra::rational(2449, 1000));
         assert_eq!(point.sign_of(&x.times(&y).minus(&c)), Ordering::Greater);
         assert_eq!(point.sign_of(&x.minus(&y)), Ordering::Less);

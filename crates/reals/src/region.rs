@@ -80,16 +80,12 @@ impl Region {
 
     /// The whole line.
     pub fn line() -> Self {
-        Region {
-            cuts: vec![Cut::Start, Cut::End],
-        }
+        Region { cuts: vec![Cut::Start, Cut::End] }
     }
 
     /// `{x}`.
     pub fn point(x: RealAlgebraic) -> Self {
-        Region {
-            cuts: vec![Cut::At(x.clone(), Side::Before), Cut::At(x, Side::After)],
-        }
+        Region { cuts: vec![Cut::At(x.clone(), Side::Before), Cut::At(x, Side::After)] }
     }
 
     /// The interval between two ends; empty if they leave nothing between them.
@@ -104,13 +100,7 @@ impl Region {
             Bound::Open(x) => Cut::At(x, Side::Before),
             Bound::Closed(x) => Cut::At(x, Side::After),
         };
-        if lower < upper {
-            Region {
-                cuts: vec![lower, upper],
-            }
-        } else {
-            Region::empty()
-        }
+        if lower < upper { Region { cuts: vec![lower, upper] } } else { Region::empty() }
     }
 
     /// `{x : lower < x < upper}`.
@@ -120,9 +110,7 @@ impl Region {
 
     /// The union of finitely many regions.
     pub fn union_of(regions: impl IntoIterator<Item = Region>) -> Self {
-        regions
-            .into_iter()
-            .fold(Region::empty(), |all, region| all.union(&region))
+        regions.into_iter().fold(Region::empty(), |all, region| all.union(&region))
     }
 
     /// The set of finitely many points.
@@ -206,9 +194,7 @@ impl Region {
             Cut::At(x, side) => Cut::At(x.simplified(), *side),
             infinite => infinite.clone(),
         });
-        Region {
-            cuts: cuts.collect(),
-        }
+        Region { cuts: cuts.collect() }
     }
 
     /// Whether the list of cuts is what the type promises.
@@ -263,11 +249,7 @@ impl Region {
                 }
             })
             .collect();
-        if parts.is_empty() {
-            "∅".into()
-        } else {
-            parts.join(" ∪ ")
-        }
+        if parts.is_empty() { "∅".into() } else { parts.join(" ∪ ") }
     }
 }
 
@@ -300,10 +282,7 @@ mod tests {
     #[test]
     fn complement_is_an_involution_and_swaps_ends() {
         let region = open(0, 1).union(&point(3));
-        assert_eq!(
-            region.complement().display("x"),
-            "(-∞, 0] ∪ [1, 3) ∪ (3, ∞)"
-        );
+        assert_eq!(region.complement().display("x"), "(-∞, 0] ∪ [1, 3) ∪ (3, ∞)");
         assert_eq!(region.complement().complement(), region);
         assert_eq!(Region::empty().complement(), Region::line());
         assert_eq!(Region::line().complement(), Region::empty());

@@ -25,9 +25,7 @@ pub fn common_zeros(
 ) -> Vec<Point> {
     let candidates = |eliminated: &Parameter, kept: &Parameter| -> Vec<RealAlgebraic> {
         let resultant = f.collected(eliminated).resultant(&g.collected(eliminated));
-        let (_, p) = resultant
-            .cleared_univariate(kept)
-            .expect("only two parameters occur");
+        let (_, p) = resultant.cleared_univariate(kept).expect("only two parameters occur");
         assert!(!p.is_zero(), "coprime polynomials have a nonzero resultant");
         real_roots(&p)
     };
@@ -65,9 +63,7 @@ pub fn has_real_point(f: &ParameterPolynomial, [x, y]: [&Parameter; 2]) -> bool 
     let derivative = primitive.derivative();
     let leading = primitive.leading().expect("not zero");
     let critical = primitive.resultant(&derivative).times(leading);
-    let (_, critical) = critical
-        .cleared_univariate(x)
-        .expect("only two parameters occur");
+    let (_, critical) = critical.cleared_univariate(x).expect("only two parameters occur");
     let seen = samples(&critical).iter().any(|sample| {
         let fibre = primitive.map(|c| c.with(x, sample));
         has_real_root(&ParameterPolynomial::from_collected(&fibre, y), y)
@@ -89,17 +85,9 @@ fn samples(p: &Polynomial<refinable_algebra::Integer>) -> Vec<Rational> {
     };
     let one = Rational::from(integer(1));
     let mut samples = vec![first.bounds().0 - &one];
-    samples.extend(
-        roots
-            .windows(2)
-            .map(|pair| pair[0].rational_between(&pair[1])),
-    );
+    samples.extend(roots.windows(2).map(|pair| pair[0].rational_between(&pair[1])));
     samples.push(last.bounds().1 + one);
-    debug_assert!(
-        samples
-            .iter()
-            .all(|s| p.value_at(s).compare_to_zero().is_ne())
-    );
+    debug_assert!(samples.iter().all(|s| p.value_at(s).compare_to_zero().is_ne()));
     samples
 }
 
@@ -108,17 +96,9 @@ mod tests {
     use super::*;
     use refinable_algebra::rational;
 
-    fn xy() -> (
-        Parameter,
-        Parameter,
-        ParameterPolynomial,
-        ParameterPolynomial,
-    ) {
+    fn xy() -> (Parameter, Parameter, ParameterPolynomial, ParameterPolynomial) {
         let (x, y) = (Parameter::new("x"), Parameter::new("y"));
-        let (px, py) = (
-            ParameterPolynomial::parameter(&x),
-            ParameterPolynomial::parameter(&y),
-        );
+        let (px, py) = (ParameterPolynomial::parameter(&x), ParameterPolynomial::parameter(&y));
         (x, y, px, py)
     }
 
@@ -126,10 +106,7 @@ mod tests {
     fn a_circle_meets_a_hyperbola_in_four_irrational_points() {
         let (x, y, px, py) = xy();
         // x² + y² = 4, x y = 1: x = ±(√6 ± √2)/2
-        let circle = px
-            .power(2)
-            .plus(&py.power(2))
-            .minus(&ParameterPolynomial::from_i64(4));
+        let circle = px.power(2).plus(&py.power(2)).minus(&ParameterPolynomial::from_i64(4));
         let hyperbola = px.times(&py).minus(&ParameterPolynomial::one());
         let zeros = common_zeros(&circle, &hyperbola, [&x, &y]);
         assert_eq!(zeros.len(), 4);
@@ -144,10 +121,7 @@ mod tests {
         let line = py.minus(&px).minus(&ParameterPolynomial::from_i64(2));
         let zeros = common_zeros(&parabola, &line, [&x, &y]);
         let expected = [(-1, 1), (2, 4)].map(|(a, b)| {
-            Point::new([
-                (x.clone(), rational(a, 1).into()),
-                (y.clone(), rational(b, 1).into()),
-            ])
+            Point::new([(x.clone(), rational(a, 1).into()), (y.clone(), rational(b, 1).into())])
         });
         assert_eq!(zeros, expected);
     }
