@@ -1,0 +1,141 @@
+//! Masks whose stencils are affine combinations: the precondition of every analysis, as a type.
+
+use std::fmt;
+use std::ops::Deref;
+
+use refinable_algebra::{Parameter, ParameterFraction, ParameterPolynomial, Rational, Ring};
+
+use crate::diagnostic::{Diagnostic, shortened};
+use crate::mask::Mask;
+
+/// How many stencils an error lists.
+const LISTED: usize = 6;
+
+/// A mask each of whose stencils sums to 1, whatever the parameters: `Σ_j a_{ε-mj} = 1` for every
+/// `ε`, without which no scheme converges.
+///
+/// ```
+/// use refinable_scheme::{Mask, Normalised};
+/// let halved = Mask::parse("1/16*[1, 4, 6, 4, 1]", 2).unwrap();
+/// let error = Normalised::new(halved).unwrap_err();
+/// assert_eq!(error.hint(), Some("multiply the mask by 2"));
+/// ```
+#[derive(Clone, PartialEq, Eq, Hash, Debug)]
+pub struct Normalised(Mask);
+
+impl Normalised {
+    /// The mask, if it keeps the promise of the type.
+    ///
+    /// # Errors
+    /// `not-normalised`, with the sums of the stencils; the hint says by what to multiply, or under
+    /// which condition on the parameters the sums are 1.
+    pub fn new(mask: Mask) -> Result<Self, Diagnostic> {
+        if is_normalised(&mask) { Ok(Normalised(mask)) } else { Err(rejection(&mask)) }
+    }
+
+    /// The mask with `parameter` replaced by `value`; what held for all parameters still holds.
+    ///
+    /// # Errors
+    /// Those of [`Mask::substitute`].
+    pub fn substitute(
+        &self,
+        parameter: &Parameter,
+        value: &ParameterFraction,
+    ) -> Result<Self, Diagnostic> {
+        let result = Normalised(self.0.substitute(parameter, value)?);
+        debug_assert!(result.check_invariants());
+        Ok(result)
+    }
+
+    /// Whether the promise of the type holds.
+    pub fn check_invariants(&self) -> bool {
+        is_normalised(&self.0) && self.0.check_invariants()
+    }
+}
+
+impl Deref for Normalised {
+    type Target = Mask;
+    fn deref(&self) -> &Mask {
+        &self.0
+    }
+}
+
+impl fmt::Display for Normalised {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(&self.0, f)
+    }
+}
+
+fn is_normalised(mask: &Mask) -> bool {
+    let sums = mask.stencil_numerators();
+    sums.iter().all(|sum| sum == mask.denominator())
+}
+
+fn rejection(mask: &Mask) -> Diagnostic {
+    let sums = mask.stencil_sums();
+    let listed: Vec<_> = sums
+        .iter()
+        .take(LISTED)
+        .enumerate()
+        .map(|(e, sum)| format!("stencil {e} sums to {}", shortened(sum)))
+        .collect();
+    let more = if sums.len() > LISTED { ", …" } else { "" };
+    let message = format!("every stencil of a scheme sums to 1, but {}{more}", listed.join(", "));
+    let error = Diagnostic::new("not-normalised", message);
+    match advice(mask, &sums) {
+        Some(advice) => error.with_hint(advice),
+        None => error.with_hint("check the entries, their number and the arity"),
+    }
+}
+
+fn advice(mask: &Mask, sums: &[ParameterFraction]) -> Option<String> {
+    let constants: Option<Vec<Rational>> =
+        sums.iter().map(ParameterFraction::as_constant).collect();
+    if let Some(constants) = constants {
+        let c = constants.first()?;
+        let same = !c.is_zero() && constants.iter().all(|d| d == c);
+        return same.then(|| format!("multiply the mask by {}", Rational::one() / c));
+    }
+    let conditions = conditions(mask);
+    if conditions.iter().any(|c| c.as_constant().is_some()) {
+        return None;
+    }
+    let equation = |c: &ParameterPolynomial| format!("{} = 0", shortened(format!("{c:#}")));
+    let equations: Vec<_> = conditions.iter().take(LISTED).map(equation).collect();
+    let joint = match conditions.as_slice() {
+        [single] => solved(single).map(|set| format!(", say with `--set '{set}'`")),
+        _ => Some(", to be arranged with `--set`".into()),
+    };
+    let joint = joint.unwrap_or_else(|| ", to be arranged with `--set`".into());
+    Some(format!("the sums are 1 where {}{joint}", equations.join(" and ")))
+}
+
+/// The polynomials whose common zeros are the parameters with normalised stencils, primitive.
+fn conditions(mask: &Mask) -> Vec<ParameterPolynomial> {
+    let mut conditions = Vec::new();
+    for sum in mask.stencil_numerators() {
+        let difference = sum.minus(mask.denominator());
+        if difference.is_zero() {
+            continue;
+        }
+        let primitive = difference.primitive().2;
+        if !conditions.contains(&primitive) {
+            conditions.push(primitive);
+        }
+    }
+    conditions
+}
+
+/// The condition solved for a parameter in which it is linear with a constant coefficient.
+fn solved(condition: &ParameterPolynomial) -> Option<String> {
+    condition.parameters().iter().find_map(|parameter| {
+        let collected = condition.collected(parameter);
+        let [constant, linear] = collected.coefficients() else {
+            return None;
+        };
+        let value = constant.scaled(&(-Rational::one() / linear.as_constant()?));
+        let set = format!("{parameter}={value}");
+        // What is cut cannot be pasted.
+        (shortened(&set) == set).then_some(set)
+    })
+}

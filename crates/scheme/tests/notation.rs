@@ -1,0 +1,229 @@
+//! What the notation accepts, what it refuses, and what it says then.
+
+use refinable_algebra::{Parameter, ParameterPolynomial, rational};
+use refinable_scheme::{Diagnostic, Expression, Mask, Normalised, Scheme, Substitution, catalogue};
+
+fn set(texts: &[&str]) -> Vec<Substitution> {
+    let parse = |t: &&str| Substitution::parse(t).unwrap();
+    texts.iter().map(parse).collect()
+}
+
+fn resolve(text: &str) -> Scheme {
+    Scheme::resolve(text, 2).unwrap_or_else(|error| panic!("{text}: {error}"))
+}
+
+fn refused(text: &str) -> Diagnostic {
+    match Scheme::resolve(text, 2) {
+        Ok(scheme) => panic!("{text} was taken for {}", scheme.mask()),
+        Err(error) => error,
+    }
+}
+
+/// The value of an expression without parameters.
+fn value(text: &str) -> Option<refinable_algebra::Rational> {
+    Expression::parse(text).unwrap().evaluate().unwrap().as_constant()
+}
+
+#[test]
+fn operators_bind_as_on_paper() {
+    assert_eq!(value("1 - 2 - 3"), Some(rational(-4, 1)));
+    assert_eq!(value("12/2/3*5"), Some(rational(10, 1)));
+    assert_eq!(value("-2^2"), Some(rational(-4, 1)));
+    assert_eq!(value("2^-2*3^(−1)"), Some(rational(1, 12)));
+    assert_eq!(value("2*-3 + +1"), Some(rational(-5, 1)));
+    assert_eq!(value("0.05 - 1/20"), Some(rational(0, 1)));
+    assert_eq!(value("(2/3)^-2"), Some(rational(9, 4)));
+    assert_eq!(value("0^0"), Some(rational(1, 1)));
+}
+
+#[test]
+fn greek_letters_are_their_english_names() {
+    let names = Expression::parse("α*β + ω_1 − γ").unwrap().names();
+    let expected = ["alpha", "beta", "gamma", "omega_1"];
+    assert!(names.iter().eq(expected.iter()));
+    assert_eq!(resolve("[α, 1/2, 1 - 2*α, 1/2, α]").mask(), resolve("a2").mask());
+}
+
+#[test]
+fn one_mask_in_four_notations() {
+    let spline = resolve("bspline3");
+    for text in [
+        "[1/8, 1/2, 3/4, 1/2, 1/8]",
+        "1/8*[1, 4, 6, 4, 1] @ -2",
+        "1/8*z^-2*(1+z)^4",
+        "((1 - z^2)/(1 - z))^4/(8*z^2)",
+    ] {
+        assert_eq!(resolve(text).mask(), spline.mask(), "{text}");
+        assert_eq!(resolve(text).name(), text);
+    }
+    let shifted = Mask::parse("1/8*[1, 4, 6, 4, 1] @ 0", 2).unwrap();
+    assert_eq!(shifted.support(), (0, 4));
+    assert!(!shifted.is_primal() && !shifted.is_dual());
+}
+
+#[test]
+fn even_lists_are_centred_to_be_dual() {
+    let chaikin = resolve("1/4*[1, 3, 3, 1]");
+    assert_eq!(chaikin.mask(), resolve("bspline2").mask());
+    assert!(chaikin.mask().is_dual() && !chaikin.mask().is_primal());
+    assert_eq!(chaikin.mask().support(), (-2, 1));
+}
+
+#[test]
+fn a_ternary_mask_has_three_stencils() {
+    let mask = Mask::parse("1/81*[-4, -5, 0, 30, 60, 81, 60, 30, 0, -5, -4]", 3).unwrap();
+    let scheme = Normalised::new(mask).unwrap();
+    assert_eq!(scheme.rule().stencils().len(), 3);
+    assert_eq!(scheme.support_width(), rational(5, 1));
+    assert!(scheme.is_primal());
+    assert!(scheme.is_interpolatory());
+    let two = Scheme::resolve("bspline1", 3).unwrap_err();
+    assert_eq!((two.code(), two.message()), ("arity", "`bspline1` has arity 2, not 3"));
+}
+
+#[test]
+fn interpolation_is_a_condition_on_the_parameters() {
+    let conditions = |text: &str| resolve(text).mask().interpolation_conditions();
+    let alpha = ParameterPolynomial::parameter(&Parameter::new("alpha"));
+    assert_eq!(conditions("a6"), [alpha]);
+    assert_eq!(conditions("dd6"), []);
+    // a_0 = 0: no value of any parameter helps.
+    assert_eq!(conditions("[1, 1] @ 1"), [ParameterPolynomial::constant(rational(1, 1))]);
+}
+
+/// A text, the code, what the caret is under, and a part of the hint.
+const REFUSED: [(&str, &str, &str, &str); 34] = [
+    ("[1/16a, 2]", "syntax", "a", "write `1/16*a` or `1/(16*a)`"),
+    ("[64a]", "syntax", "a", "write `64*a`"),
+    ("[2(a+1)]", "syntax", "(", "write `2*(a+1)`"),
+    ("[(a+1)(b-1)]", "syntax", "(", "write `(a+1)*(b-1)`"),
+    ("[a b]", "syntax", "b", "write `a, b` or `a*b`"),
+    ("[1 4 6 4 1]", "syntax", "4", "write `1, 4` or `1*4`"),
+    ("[1 -2 1]", "syntax", "-", "commas"),
+    ("[-1 -1]", "syntax", "-", "commas"),
+    ("[]", "syntax", "]", ""),
+    ("[1,,1]", "syntax", ",", ""),
+    ("[1, 1,]", "syntax", "]", ""),
+    ("[1, 1", "syntax", "", ""),
+    ("1/2[1, 1]", "syntax", "[", "`1/16*[...]`"),
+    ("1 + 1/2*[1, 1]", "syntax", "[", "single factor"),
+    ("[1, 1]/2", "syntax", "/", "in front"),
+    ("[1, 1] @ w", "syntax", "w", ""),
+    ("[1; 1]", "syntax", ";", "commas"),
+    ("[1, 1] 1", "syntax", "1", ""),
+    ("[1e3, 1]", "syntax", "e3", "`1*e3`"),
+    ("[1., 1]", "syntax", "1.", "write `1.0`"),
+    ("[.5, 1]", "syntax", ".", "0.5"),
+    ("z**2", "syntax", "*", "`^`"),
+    ("z^a", "syntax", "a", "sqrt"),
+    ("z^2^3", "syntax", "^", "`(a^b)^c`"),
+    ("z^1.5", "syntax", "1.5", ""),
+    ("(1+z", "syntax", "", ""),
+    ("\\frac{1}{2}*z", "syntax", "\\", "LaTeX"),
+    ("[sqrt(2), 1]", "irrational", "sqrt(2)", ""),
+    ("[1/(a - a), 1]", "pole", "(a - a)", ""),
+    ("[z, 1]", "symbol", "z", ""),
+    ("1/(1+z)", "symbol", "(1+z)", "powers of `z`"),
+    ("1/2 + w", "symbol", "1/2 + w", ""),
+    ("0*z", "zero-mask", "0*z", ""),
+    ("z^10001", "budget", "10001", ""),
+];
+
+#[test]
+fn a_refusal_shows_the_place_and_what_to_write() {
+    for (text, code, marked, hint) in REFUSED {
+        let error = refused(text);
+        assert_eq!(error.code(), code, "{text}: {error}");
+        let (shown, span) = error.excerpt().expect(text);
+        assert_eq!(&shown[span], marked, "{text}: {error}");
+        assert!(error.hint().unwrap_or("").contains(hint), "{text}: {:?}", error.hint());
+    }
+}
+
+#[test]
+fn unknown_names_get_the_nearest_one() {
+    for (typed, meant) in [
+        ("bspine3", "bspline3"),
+        ("BSpline3", "bspline3"),
+        ("bspline0", "bspline1"),
+        ("dd5", "dd4"),
+        ("a1", "a2"),
+        ("i5", "i4"),
+        ("d4", "dd4"),
+        ("a04", "a4"),
+    ] {
+        let error = refused(typed);
+        assert_eq!(error.code(), "unknown-scheme");
+        let hint = error.hint().unwrap();
+        assert!(hint.starts_with(&format!("did you mean `{meant}`?")), "{typed}: {hint}");
+    }
+    let stranger = refused("butterfly");
+    assert!(stranger.hint().unwrap().starts_with("the catalogue has a2 a4 a6 … a202"));
+    assert_eq!(catalogue().len(), 5);
+    for beyond in ["a204", "a205", "i206", "dd204", "bspline401", "a99999999999999999999"] {
+        let error = refused(beyond);
+        assert_eq!(error.code(), "budget", "{beyond}");
+        assert!(error.message().starts_with("the catalogue ends at "));
+    }
+}
+
+#[test]
+fn a_mask_that_is_not_normalised_is_told_why() {
+    let hint = |text: &str| refused(text).hint().unwrap().to_string();
+    assert_eq!(
+        refused("[1, 4, 6, 4, 1]").message(),
+        "every stencil of a scheme sums to 1, but stencil 0 sums to 8, stencil 1 sums to 8"
+    );
+    assert_eq!(hint("[1, 4, 6, 4, 1]"), "multiply the mask by 1/8");
+    assert_eq!(hint("1/4*[1, 2, 1]"), "multiply the mask by 2");
+    assert_eq!(hint("[1, 2, 3]"), "check the entries, their number and the arity");
+    assert_eq!(hint("[w, 1, 0, 1]"), "check the entries, their number and the arity");
+    assert_eq!(
+        hint("[w, 1, u*w]"),
+        "the sums are 1 where u*w + w - 1 = 0, to be arranged with `--set`"
+    );
+    assert_eq!(hint("[v, 1, w]"), "the sums are 1 where v + w - 1 = 0, say with `--set 'v=1 - w'`");
+    let arranged = Scheme::resolve_with("[v, 1, w]", 2, &set(&["v=1-w"])).unwrap();
+    assert_eq!(arranged.mask().coefficient(-1).to_string(), "1 - w");
+}
+
+#[test]
+fn substitutions_apply_in_order_and_may_bring_in_parameters() {
+    let a5 = resolve("a5");
+    let curve = a5.with(&set(&["beta=(8*alpha-1)/(16*(1-alpha))"])).unwrap();
+    assert_eq!(curve.mask().coefficient(5).to_string(), "-1/16 + 1/2*alpha");
+    assert!(curve.derivation().is_none() && a5.with(&[]).unwrap().derivation().is_some());
+    let chained = a5.with(&set(&["alpha = 2*w", "w = 1/4", "beta = 1/2"])).unwrap();
+    let direct = a5.with(&set(&["beta = 1/2", "alpha = 1/2"])).unwrap();
+    assert_eq!(chained.mask(), direct.mask());
+    // beta drops out at alpha = 1, and setting it then is still no mistake.
+    assert!(a5.with(&set(&["alpha=1", "beta=3"])).is_ok());
+}
+
+#[test]
+fn substitutions_that_make_no_sense_are_refused() {
+    let a4 = resolve("a4");
+    let refused = |texts: &[&str]| a4.with(&set(texts)).unwrap_err();
+    let unknown = refused(&["beta=1"]);
+    assert_eq!(unknown.message(), "the scheme has no parameter `beta`");
+    assert_eq!(unknown.hint(), Some("it has `alpha`"));
+    assert_eq!(refused(&["alpha=1", "w=2"]).hint(), Some("it has no free parameter"));
+    assert_eq!(refused(&["alpha=1", "alpha=1"]).message(), "`alpha` is set twice");
+    let pole = resolve("[1/(1-t), 1, t/(t-1)]").with(&set(&["t=1"])).unwrap_err();
+    assert_eq!((pole.code(), pole.message()), ("pole", "the mask has a pole at t = 1"));
+    assert_eq!(pole.hint(), Some("its denominator t - 1 vanishes there"));
+    for (text, code) in [
+        ("z=1", "substitution"),
+        ("sqrt=1", "substitution"),
+        ("alpha=z", "symbol"),
+        ("alpha", "syntax"),
+        ("=1", "syntax"),
+        ("alpha==1", "syntax"),
+        ("alpha=", "syntax"),
+        ("2*alpha=1", "syntax"),
+        ("alpha=1/0", "pole"),
+        ("alpha=sqrt(3)/64", "irrational"),
+    ] {
+        assert_eq!(Substitution::parse(text).unwrap_err().code(), code, "{text}");
+    }
+}
