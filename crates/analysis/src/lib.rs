@@ -1,0 +1,31 @@
+//! What can be proved about a family of subdivision schemes.
+//!
+//! | module | noun |
+//! |---|---|
+//! | `degrees` | [`Degrees`]: generation and reproduction, stratified over the parameters |
+//! | `difference` | [`DifferenceSymbol`] `c_n` and its integer form |
+//! | `power` | the symbols `c^L` of repeated refinement |
+//! | `norm` | [`Norm`] `‖c_n^L‖` as a formula in the parameters |
+//! | `piecewise` | [`RowCondition`]: sums of absolute values below a bound, solved exactly |
+//! | `sublevel` | where all rows of a norm are below a bound, by branch and bound |
+//! | `contractivity` | [`NormRange`]: the exact parameter set that norms prove |
+//! | `classification` | [`Classification`]: interpolatory, approximating, combined, relaxed |
+//! | `budget` | [`Budget`]: limits, checked before work starts |
+
+mod budget;
+mod classification;
+mod contractivity;
+mod degrees;
+mod difference;
+mod norm;
+mod piecewise;
+mod power;
+mod sublevel;
+
+pub use budget::Budget;
+pub use classification::{Classification, classify};
+pub use contractivity::{NormRange, Work, norm_range, norm_values};
+pub use degrees::{Degrees, GenerationDegree, ReproductionDegree, Stratum, degrees};
+pub use difference::{ClearedSymbol, DifferenceSymbol};
+pub use norm::{Comparison, Norm, NormRow};
+pub use piecewise::RowCondition;
