@@ -1,0 +1,214 @@
+//! The audit: what a paper claims, what we find, and how the two agree, cell by cell.
+
+mod constant;
+mod continuity;
+mod degrees;
+mod maximum;
+mod render;
+mod statement;
+mod workbench;
+
+use rayon::prelude::*;
+use refinable_papers::{Cell, Claim, Table};
+use refinable_reals::Region;
+use refinable_scheme::Diagnostic;
+
+pub use workbench::Effort;
+use workbench::Workbench;
+
+/// How a finding stands to a claim, from the best to the worst.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub enum Agreement {
+    /// The claim holds, and is exactly what we find.
+    Agrees,
+    /// The claim holds, and more is proved.
+    Stronger,
+    /// The claim is none a computation can decide; the note says why.
+    NotChecked,
+    /// Neither proved nor refuted with the means of this audit.
+    Undecided,
+    /// Some part of the claim is refuted.
+    Disagrees,
+}
+
+impl Agreement {
+    /// All of them, from the best to the worst.
+    pub const ALL: [Agreement; 5] = [
+        Agreement::Agrees,
+        Agreement::Stronger,
+        Agreement::NotChecked,
+        Agreement::Undecided,
+        Agreement::Disagrees,
+    ];
+
+    /// The word used in every output.
+    pub fn word(self) -> &'static str {
+        match self {
+            Agreement::Agrees => "agrees",
+            Agreement::Stronger => "stronger",
+            Agreement::NotChecked => "not-checked",
+            Agreement::Undecided => "undecided",
+            Agreement::Disagrees => "disagrees",
+        }
+    }
+}
+
+/// What we found about one claim.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(crate) struct Finding {
+    text: String,
+    agreement: Agreement,
+    notes: Vec<String>,
+    ranges: Option<Ranges>,
+}
+
+/// A claimed range of one parameter and the proved one.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Ranges {
+    /// The parameter.
+    pub parameter: String,
+    /// Where the claim speaks; empty if its ends are interchanged.
+    pub claimed: Region,
+    /// Where it is proved.
+    pub proved: Region,
+}
+
+impl Finding {
+    fn new(text: impl Into<String>, agreement: Agreement) -> Self {
+        Finding { text: text.into(), agreement, notes: Vec::new(), ranges: None }
+    }
+
+    /// With one more remark; an empty one is none.
+    fn noted(mut self, note: impl Into<String>) -> Self {
+        self.notes.extend(Some(note.into()).filter(|note| !note.is_empty()));
+        self
+    }
+}
+
+/// A cell of a table with its verdict.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct AuditedCell {
+    /// The row of the printed table.
+    pub row: String,
+    /// The column of the printed table.
+    pub column: String,
+    /// What the paper prints.
+    pub claim: String,
+    /// What we find.
+    pub finding: String,
+    /// How the two agree: the worst over the claims of the cell.
+    pub agreement: Agreement,
+    /// Witnesses and remarks.
+    pub note: String,
+    /// The ranges, if the cell speaks of one.
+    pub ranges: Option<Ranges>,
+}
+
+/// A table with its verdicts.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct AuditedTable {
+    /// The table's identifier.
+    pub id: String,
+    /// What it shows.
+    pub title: String,
+    /// Where it stands in the paper.
+    pub locator: String,
+    /// Its cells, in the paper's order.
+    pub cells: Vec<AuditedCell>,
+}
+
+/// The result of an audit.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Audit {
+    /// The audited tables.
+    pub tables: Vec<AuditedTable>,
+    /// The highest level of norms that was computed.
+    pub level: u32,
+}
+
+impl Audit {
+    /// Checks every claim of the tables; `progress` is called once for each finished cell, from any
+    /// thread. The result does not depend on the number of threads.
+    ///
+    /// # Errors
+    /// A claim that cannot be understood: an unknown scheme, a syntax error, a substitution that
+    /// makes no sense. The message names table, row and column.
+    pub fn new(
+        tables: &[Table],
+        effort: Effort,
+        progress: &(dyn Fn() + Sync),
+    ) -> Result<Self, Diagnostic> {
+        let workbench = Workbench::new(effort);
+        let cells: Vec<(&Table, &Cell)> =
+            tables.iter().flat_map(|t| t.cells.iter().map(move |c| (t, c))).collect();
+        let audited: Result<Vec<AuditedCell>, Diagnostic> = cells
+            .par_iter()
+            .map(|(table, cell)| {
+                let result = audit_cell(&workbench, cell);
+                progress();
+                result.map_err(|error| located(error, table, cell))
+            })
+            .collect();
+        let mut audited = audited?.into_iter();
+        let tables = tables.iter().map(|table| AuditedTable {
+            id: table.id.clone(),
+            title: table.title.clone(),
+            locator: table.locator.clone(),
+            cells: audited.by_ref().take(table.cells.len()).collect(),
+        });
+        Ok(Audit { tables: tables.collect(), level: effort.level })
+    }
+
+    /// How many cells got each verdict.
+    pub fn counts(&self) -> [(Agreement, usize); 5] {
+        let cells = || self.tables.iter().flat_map(|table| &table.cells);
+        Agreement::ALL.map(|a| (a, cells().filter(|cell| cell.agreement == a).count()))
+    }
+}
+
+fn located(error: Diagnostic, table: &Table, cell: &Cell) -> Diagnostic {
+    let place = format!("table {}, row {}, column {}", table.id, cell.row, cell.column);
+    error.within(&place)
+}
+
+fn audit_cell(workbench: &Workbench, cell: &Cell) -> Result<AuditedCell, Diagnostic> {
+    let findings: Result<Vec<Finding>, Diagnostic> = cell
+        .claims
+        .iter()
+        .map(|claim| match claim {
+            Claim::NotChecked { reason } => {
+                Ok(Finding::new("", Agreement::NotChecked).noted(reason.clone()))
+            }
+            Claim::Checkable(assertion) => {
+                let mut finding = statement::check(workbench, assertion)?;
+                finding.notes.extend(assertion.note.clone());
+                Ok(finding)
+            }
+        })
+        .collect();
+    let findings = findings?;
+    let mut notes: Vec<String> = Vec::new();
+    for note in findings.iter().flat_map(|f| &f.notes) {
+        if !notes.contains(note) {
+            notes.push(note.clone());
+        }
+    }
+    Ok(AuditedCell {
+        row: cell.row.clone(),
+        column: cell.column.clone(),
+        claim: cell.printed.clone(),
+        finding: summarise(&findings),
+        agreement: findings.iter().map(|f| f.agreement).max().unwrap_or(Agreement::NotChecked),
+        note: notes.join("; "),
+        ranges: findings.into_iter().find_map(|f| f.ranges),
+    })
+}
+
+/// The findings of a cell in one text; several of them in the order of the claims.
+fn summarise(findings: &[Finding]) -> String {
+    let texts: Vec<&str> = findings.iter().map(|f| f.text.as_str()).collect();
+    match texts.split_first() {
+        Some((first, rest)) if rest.iter().all(|text| text == first) => (*first).to_string(),
+        _ => texts.join("; "),
+    }
+}

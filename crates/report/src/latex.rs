@@ -1,0 +1,244 @@
+//! LaTeX for exact quantities.
+
+use std::cmp::Ordering;
+
+use refinable_algebra::{
+    Monomial, Ordered, ParameterFraction, ParameterPolynomial, Rational, Ring, integer,
+};
+use refinable_reals::{Bound, ExactForm, Radical, RealAlgebraic, Region};
+
+/// The names of the Greek letters that LaTeX has commands for.
+const GREEK: [&str; 23] = [
+    "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "iota", "kappa",
+    "lambda", "mu", "nu", "xi", "pi", "rho", "sigma", "tau", "upsilon", "phi", "chi", "psi",
+    "omega",
+];
+
+/// A parameter's name in math mode: `\alpha`, `w`, `\mathit{tension}`.
+pub fn name(name: &str) -> String {
+    if GREEK.contains(&name) {
+        format!("\\{name}")
+    } else if name.chars().count() == 1 {
+        name.to_string()
+    } else {
+        format!("\\mathit{{{}}}", name.replace('_', "\\_"))
+    }
+}
+
+/// `\frac{p}{q}`, or `p`.
+pub fn rational(x: &Rational) -> String {
+    if x.is_integer() {
+        return x.to_string();
+    }
+    let sign = if x.compare_to_zero().is_lt() { "-" } else { "" };
+    format!("{sign}\\frac{{{}}}{{{}}}", x.numer().absolute(), x.denom())
+}
+
+/// A polynomial, constant term first, as masks are printed.
+pub fn polynomial(p: &ParameterPolynomial) -> String {
+    let mut terms: Vec<(&Monomial, &Rational)> = p.terms().rev().collect();
+    terms.sort_by_key(|(m, _)| m.degree());
+    let mut text = String::new();
+    for (m, c) in terms {
+        let sign = match (text.is_empty(), c.compare_to_zero() == Ordering::Less) {
+            (true, false) => "",
+            (false, false) => "+",
+            (_, true) => "-",
+        };
+        let size = c.absolute();
+        text.push_str(sign);
+        if m.degree() == 0 || size != Rational::from(integer(1)) {
+            text.push_str(&rational(&size));
+        }
+        text.push_str(&monomial(m));
+    }
+    if text.is_empty() { "0".into() } else { text }
+}
+
+fn monomial(m: &Monomial) -> String {
+    let power = |(p, e): &(refinable_algebra::Parameter, u32)| match e {
+        1 => name(p.name()),
+        _ => format!("{}^{{{e}}}", name(p.name())),
+    };
+    let factors: Vec<String> = m.factors().iter().map(power).collect();
+    factors.join(" ")
+}
+
+/// A fraction of polynomials.
+pub fn fraction(f: &ParameterFraction) -> String {
+    match f.as_polynomial() {
+        Some(p) => polynomial(p),
+        None => {
+            format!("\\frac{{{}}}{{{}}}", polynomial(f.numerator()), polynomial(f.denominator()))
+        }
+    }
+}
+
+/// A real algebraic number; `variable` names the unknown of `root(POLY, k)`.
+pub fn number(x: &RealAlgebraic, variable: &str) -> String {
+    match x.exact_form() {
+        ExactForm::Rational(x) => rational(&x),
+        ExactForm::Radical(radical) => self::radical(&radical),
+        ExactForm::Root { polynomial, index } => {
+            let text = polynomial.display(&name(variable)).replace('*', "");
+            format!("\\operatorname{{root}}_{{{index}}}({text})")
+        }
+    }
+}
+
+fn radical(r: &Radical) -> String {
+    let size = r.coefficient.absolute();
+    let factor = if size == integer(1) { String::new() } else { size.to_string() };
+    let negative = r.coefficient.compare_to_zero().is_lt();
+    let sign = match (negative, r.rational_part.is_zero()) {
+        (true, _) => "-",
+        (false, true) => "",
+        (false, false) => "+",
+    };
+    let first = if r.rational_part.is_zero() { String::new() } else { r.rational_part.to_string() };
+    let top = format!("{first}{sign}{factor}\\sqrt{{{}}}", r.radicand);
+    if r.denominator == integer(1) { top } else { format!("\\frac{{{top}}}{{{}}}", r.denominator) }
+}
+
+/// A union of intervals.
+pub fn region(region: &Region, variable: &str) -> String {
+    let parts: Vec<String> = region
+        .intervals()
+        .iter()
+        .map(|interval| match interval.as_point() {
+            Some(x) => format!("\\{{{}\\}}", number(x, variable)),
+            None => {
+                let lower = match &interval.lower {
+                    Bound::Infinite => "(-\\infty".to_string(),
+                    Bound::Open(x) => format!("({}", number(x, variable)),
+                    Bound::Closed(x) => format!("[{}", number(x, variable)),
+                };
+                let upper = match &interval.upper {
+                    Bound::Infinite => "\\infty)".to_string(),
+                    Bound::Open(x) => format!("{})", number(x, variable)),
+                    Bound::Closed(x) => format!("{}]", number(x, variable)),
+                };
+                format!("{lower},\\,{upper}")
+            }
+        })
+        .collect();
+    if parts.is_empty() { "\\emptyset".into() } else { parts.join(" \\cup ") }
+}
+
+/// Plain text with LaTeX's special characters escaped and the few signs our texts use translated.
+pub fn escape(text: &str) -> String {
+    let mut escaped = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '\\' => escaped.push_str("\\textbackslash{}"),
+            '&' | '%' | '$' | '#' | '_' | '{' | '}' => {
+                escaped.push('\\');
+                escaped.push(c);
+            }
+            '~' => escaped.push_str("\\textasciitilde{}"),
+            '^' => escaped.push_str("\\textasciicircum{}"),
+            '<' | '>' | '|' => escaped.push_str(&format!("${c}$")),
+            _ => match symbol(c) {
+                Some(command) => escaped.push_str(&format!("${command}$")),
+                None => escaped.push(c),
+            },
+        }
+    }
+    escaped
+}
+
+fn symbol(c: char) -> Option<&'static str> {
+    Some(match c {
+        '∪' => "\\cup",
+        '∅' => "\\emptyset",
+        '∞' => "\\infty",
+        '≈' => "\\approx",
+        '≤' => "\\le",
+        '≥' => "\\ge",
+        '∈' => "\\in",
+        '‖' => "\\|",
+        '∀' => "\\forall",
+        _ => return None,
+    })
+}
+
+/// A formula written in plain text (`-1/4 < alpha < (3-sqrt(3))/64`) in math mode; text that is not
+/// made of numbers, known names and operators alone is escaped instead.
+pub fn formula_or_text(text: &str) -> String {
+    if text.is_empty() {
+        return String::new();
+    }
+    formula(text).map_or_else(|| escape(text), |math| format!("${math}$"))
+}
+
+fn formula(text: &str) -> Option<String> {
+    let mut math = String::new();
+    let mut rest = text.trim();
+    let mut open_roots: Vec<usize> = Vec::new();
+    let mut depth = 0;
+    while let Some(c) = rest.chars().next() {
+        let word: String = rest.chars().take_while(char::is_ascii_alphabetic).collect();
+        if word == "sqrt" && rest[4..].starts_with('(') {
+            math.push_str("\\sqrt{");
+            depth += 1;
+            open_roots.push(depth);
+            rest = &rest[5..];
+            continue;
+        }
+        if !word.is_empty() {
+            let known = GREEK.contains(&word.as_str()) || word.len() == 1;
+            math.push_str(&known.then(|| name(&word))?);
+            math.push(' ');
+            rest = &rest[word.len()..];
+            continue;
+        }
+        match c {
+            '(' => {
+                depth += 1;
+                math.push('(');
+            }
+            ')' if open_roots.last() == Some(&depth) => {
+                open_roots.pop();
+                depth -= 1;
+                math.push('}');
+            }
+            ')' => {
+                depth -= 1;
+                math.push(')');
+            }
+            '*' => math.push_str("\\,"),
+            '{' | '}' => {
+                math.push('\\');
+                math.push(c);
+            }
+            // Long masks must break somewhere.
+            ',' => math.push_str(",\\allowbreak "),
+            _ if "0123456789+-/<>=[].^|@ ".contains(c) => math.push(c),
+            _ => math.push_str(symbol(c)?),
+        }
+        rest = &rest[c.len_utf8()..];
+    }
+    Some(math)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use refinable_algebra::{Parameter, rational as q};
+
+    #[test]
+    fn polynomials_and_fractions() {
+        let [a, b] = ["alpha", "beta"].map(|n| ParameterPolynomial::parameter(&Parameter::new(n)));
+        let p = ParameterPolynomial::constant(q(-1, 16)).plus(&a.times(&b).scaled(&q(3, 1)));
+        assert_eq!(polynomial(&p), "-\\frac{1}{16}+3\\alpha \\beta");
+    }
+
+    #[test]
+    fn formulas_in_plain_text() {
+        assert_eq!(
+            formula_or_text("-1/4 < alpha < (3-sqrt(3))/64"),
+            "$-1/4 < \\alpha  < (3-\\sqrt{3})/64$"
+        );
+        assert_eq!(formula_or_text("not 100% checked"), "not 100\\% checked");
+    }
+}

@@ -1,0 +1,32 @@
+//! Claims joined with findings, and every result as a document.
+//!
+//! | module | noun |
+//! |---|---|
+//! | `grid` | [`Document`], [`Grid`], [`Cell`]: tables as data, rendered as md, csv, tex and json |
+//! | `latex`, `number` | exact quantities as LaTeX and as JSON |
+//! | `show`, `degrees`, `range`, `norm` | one document for each analysis |
+//! | `picture` | claimed against proved ranges as SVG |
+//! | `audit` | [`Audit`]: the verdict on every cell of a paper's tables |
+//! | `site` | the files of a report directory |
+//!
+//! Nothing here knows the clock, the terminal or the file system: the same input gives the same
+//! bytes on every machine.
+
+mod audit;
+mod degrees;
+mod grid;
+mod latex;
+mod norm;
+mod number;
+mod picture;
+mod range;
+mod show;
+mod site;
+
+pub use audit::{Agreement, Audit, AuditedCell, AuditedTable, Effort, Ranges};
+pub use degrees::degree_table;
+pub use grid::{Cell, Document, Grid};
+pub use norm::norm_table;
+pub use range::range_table;
+pub use show::show;
+pub use site::{Site, report_site};

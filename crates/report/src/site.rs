@@ -1,0 +1,81 @@
+//! A report directory: every file of it as text.
+
+use std::collections::BTreeMap;
+
+use refinable_papers::Paper;
+
+use crate::audit::{Audit, AuditedTable};
+use crate::grid::Document;
+use crate::picture;
+
+/// The generated files of a report by their path, `/` between folders.
+pub type Site = BTreeMap<String, String>;
+
+/// The report of an audit: an index, and each table as md, csv, tex and json. `NOTES.md` beside
+/// them is written by hand and not part of it.
+pub fn report_site(paper: &Paper, audit: &Audit) -> Site {
+    let mut site = Site::new();
+    site.insert("README.md".into(), index(paper, audit));
+    site.insert("tables.json".into(), audit.document().json_text());
+    site.insert("tables.tex".into(), latex_document(audit));
+    for table in &audit.tables {
+        let document = Document { grids: vec![table.grid()], summary: None, json: table.json() };
+        let path = |extension: &str| format!("tables/{}.{extension}", table.id);
+        site.insert(path("md"), document.markdown());
+        site.insert(path("csv"), document.csv());
+        site.insert(path("tex"), document.latex());
+        site.insert(path("json"), document.json_text());
+        if let Some(svg) = picture::ranges(table) {
+            site.insert(path("svg"), svg);
+        }
+    }
+    site
+}
+
+fn index(paper: &Paper, audit: &Audit) -> String {
+    let mut text = format!(
+        "# Audit of “{}”\n\n{}\n\n{}\n\nWhat the misprints are, and their evidence: \
+         [NOTES.md](NOTES.md).\nAll tables as one document: [tables.tex](tables.tex); as data: \
+         [tables.json](tables.json).\n\n",
+        paper.title,
+        paper.citation,
+        audit.summary(),
+    );
+    text.push_str(
+        "| table | cells | agrees | stronger | not-checked | undecided | disagrees | |\n",
+    );
+    text.push_str("|---|---|---|---|---|---|---|---|\n");
+    for table in &audit.tables {
+        text.push_str(&index_row(table, audit.level));
+    }
+    text
+}
+
+fn index_row(table: &AuditedTable, level: u32) -> String {
+    let alone = Audit { tables: vec![table.clone()], level };
+    let counts: Vec<String> = alone.counts().iter().map(|(_, n)| n.to_string()).collect();
+    let id = &table.id;
+    let mut kinds = vec!["csv", "tex", "json"];
+    kinds.extend(picture::ranges(table).map(|_| "svg"));
+    let files: Vec<String> = kinds.iter().map(|e| format!("[{e}](tables/{id}.{e})")).collect();
+    let files = files.join(" ");
+    format!(
+        "| [{}](tables/{id}.md) | {} | {} | {files} |\n",
+        table.title,
+        table.cells.len(),
+        counts.join(" | "),
+    )
+}
+
+/// A document that compiles on its own and inputs every table.
+fn latex_document(audit: &Audit) -> String {
+    let mut text = String::from(
+        "\\documentclass[a4paper,landscape]{article}\n\\usepackage[margin=1.5cm]{geometry}\n\
+         \\usepackage{amsmath,array,booktabs,longtable}\n\\setlength\\LTcapwidth{\\linewidth}\n\\begin{document}\n\\footnotesize\n",
+    );
+    for table in &audit.tables {
+        text.push_str(&format!("\\input{{tables/{}.tex}}\n", table.id));
+    }
+    text.push_str("\\end{document}\n");
+    text
+}
