@@ -1,0 +1,146 @@
+//! What can be typed.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+
+/// Exact analysis of subdivision schemes.
+#[derive(Debug, Parser)]
+#[command(name = "refinable", version, about, max_term_width = 100)]
+pub struct Arguments {
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+/// The commands.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Print a scheme's mask, support and type
+    Show {
+        #[command(flatten)]
+        scheme: SchemeArguments,
+        /// Print the derivation step by step (schemes a2, a3, …, i4, …)
+        #[arg(long)]
+        derive: bool,
+        #[command(flatten)]
+        format: FormatArgument,
+    },
+    /// Degrees of polynomial generation and reproduction, for all parameter values
+    Degrees {
+        #[command(flatten)]
+        scheme: SchemeArguments,
+        #[command(flatten)]
+        format: FormatArgument,
+    },
+    /// The exact set of one parameter for which norms prove C^n
+    Range {
+        #[command(flatten)]
+        scheme: SchemeArguments,
+        /// The order n of C^n
+        #[arg(long, short = 'n', value_name = "N", value_parser = clap::value_parser!(u16))]
+        continuity: u16,
+        /// The highest level L of the norms
+        #[arg(long, value_name = "L", default_value_t = 6, value_parser = clap::value_parser!(u32).range(1..))]
+        level: u32,
+        #[command(flatten)]
+        format: FormatArgument,
+    },
+    /// The norm of a difference scheme as a formula in the parameters
+    Norm {
+        #[command(flatten)]
+        scheme: SchemeArguments,
+        /// The order n of C^n that the norm decides
+        #[arg(long, short = 'n', value_name = "N", value_parser = clap::value_parser!(u16))]
+        continuity: u16,
+        /// The level L: L steps of refinement at once
+        #[arg(long, value_name = "L", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
+        level: u32,
+        #[command(flatten)]
+        format: FormatArgument,
+    },
+    /// Rebuild a paper's tables and give a verdict on every cell
+    Tables {
+        #[command(flatten)]
+        audit: AuditArguments,
+        /// Claims to check instead of the built-in paper's
+        #[arg(long, value_name = "FILE")]
+        claims: Option<PathBuf>,
+        /// Only this table; may be repeated
+        #[arg(long = "table", value_name = "ID")]
+        tables: Vec<String>,
+        #[command(flatten)]
+        format: FormatArgument,
+    },
+    /// Write or check a report directory
+    Report {
+        /// What to do with it.
+        #[command(subcommand)]
+        action: ReportAction,
+    },
+}
+
+/// What can be done with a report directory.
+#[derive(Debug, Subcommand)]
+pub enum ReportAction {
+    /// Write the report into DIR; files written by hand are left alone
+    Build {
+        /// The directory
+        dir: PathBuf,
+        #[command(flatten)]
+        audit: AuditArguments,
+    },
+    /// Recompute the report and compare it with DIR; exit code 1 if it differs
+    Check {
+        /// The directory
+        dir: PathBuf,
+        #[command(flatten)]
+        audit: AuditArguments,
+    },
+}
+
+/// How much work an audit may do.
+#[derive(Args, Clone, Copy, Debug)]
+pub struct AuditArguments {
+    /// The highest level of the norms
+    #[arg(long, value_name = "L", default_value_t = 6, value_parser = clap::value_parser!(u32).range(1..))]
+    pub level: u32,
+}
+
+/// A scheme with some of its parameters set.
+#[derive(Args, Debug)]
+pub struct SchemeArguments {
+    /// A name such as a4, a5, i4, dd6, bspline3; a mask such as '[-w, 0, 1/2+w, 1, 1/2+w, 0, -w]';
+    /// or a symbol such as '1/8*z^-2*(1+z)^4'
+    #[arg(value_name = "SCHEME", allow_hyphen_values = true)]
+    pub scheme: String,
+    /// Set a parameter, exactly: alpha=1/8, beta=0.05, 'beta=(8*alpha-1)/(16*(1-alpha))'; repeatable
+    #[arg(long = "set", value_name = "NAME=VALUE", allow_hyphen_values = true)]
+    pub set: Vec<String>,
+    /// The arity of an inline mask or symbol
+    #[arg(long, value_name = "M", default_value_t = 2, value_parser = clap::value_parser!(u32).range(2..=64))]
+    pub arity: u32,
+}
+
+/// How to print.
+#[derive(Args, Clone, Copy, Debug)]
+pub struct FormatArgument {
+    /// The output format
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub format: Format,
+}
+
+/// The output formats.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Format {
+    /// Tables for the terminal
+    Text,
+    /// JSON with exact numbers as text
+    Json,
+    /// Comma-separated values
+    Csv,
+    /// Markdown
+    Md,
+    /// LaTeX with booktabs
+    Latex,
+}

@@ -1,0 +1,130 @@
+//! One function for each command.
+
+use std::fs;
+use std::io::IsTerminal;
+use std::path::Path;
+use std::process::ExitCode;
+
+use indicatif::{ProgressBar, ProgressStyle};
+use refinable_analysis::Budget;
+use refinable_papers::{Claims, Paper, Table};
+use refinable_report::{
+    Audit, Effort, Site, degree_table, norm_table, range_table, report_site, show,
+};
+use refinable_scheme::{Scheme, Substitution};
+
+use crate::arguments::{
+    Arguments, AuditArguments, Command, Format, FormatArgument, ReportAction, SchemeArguments,
+};
+use crate::failure::Failure;
+use crate::{files, output};
+
+/// Runs the command that was typed.
+///
+/// # Errors
+/// Anything wrong with the input; nothing has been written then.
+pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
+    match &arguments.command {
+        Command::Show { scheme, derive: true, format } => derive(scheme, *format)?,
+        Command::Show { scheme, derive: false, format } => {
+            output::print(&show(&resolve(scheme)?), format.format)?;
+        }
+        Command::Degrees { scheme, format } => {
+            output::print(&degree_table(&resolve(scheme)?), format.format)?;
+        }
+        Command::Range { scheme, continuity, level, format } => {
+            let scheme = resolve(scheme)?;
+            let document =
+                range_table(&scheme, usize::from(*continuity), *level, Budget::default())?;
+            output::print(&document, format.format)?;
+        }
+        Command::Norm { scheme, continuity, level, format } => {
+            let scheme = resolve(scheme)?;
+            let document =
+                norm_table(&scheme, usize::from(*continuity), *level, Budget::default())?;
+            output::print(&document, format.format)?;
+        }
+        Command::Tables { audit, claims, tables, format } => {
+            let all = match claims {
+                Some(path) => read_claims(path)?,
+                None => Paper::builtin()?.tables,
+            };
+            let audit = run_audit(&select(all, tables)?, *audit)?;
+            output::print(&audit.document(), format.format)?;
+        }
+        Command::Report { action } => return report(action),
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+fn resolve(arguments: &SchemeArguments) -> Result<Scheme, Failure> {
+    let mut substitutions = Vec::new();
+    for text in &arguments.set {
+        substitutions.push(Substitution::parse(text)?);
+    }
+    Ok(Scheme::resolve_with(&arguments.scheme, arguments.arity as usize, &substitutions)?)
+}
+
+fn derive(arguments: &SchemeArguments, format: FormatArgument) -> Result<(), Failure> {
+    if format.format != Format::Text {
+        let hint = "leave out --format, or leave out --derive";
+        return Err(Failure::new("format", "a derivation is printed as text only", hint));
+    }
+    let scheme = resolve(arguments)?;
+    let Some(derivation) = scheme.derivation() else {
+        let hint = "a2 a4 …, a3 a5 … and i4 i6 … are derived step by step, with no parameter set";
+        let message = format!("{} is given by its mask, not by a derivation", scheme.name());
+        return Err(Failure::new("derivation", message, hint));
+    };
+    // What is printed has been recomputed from the recorded steps, each from the ones before.
+    derivation.replay()?;
+    output::print_text(&format!("{derivation}\n"))
+}
+
+fn read_claims(path: &Path) -> Result<Vec<Table>, Failure> {
+    let text = fs::read_to_string(path).map_err(|error| Failure::file(path, &error))?;
+    Ok(Claims::parse(&text)?)
+}
+
+fn select(all: Vec<Table>, ids: &[String]) -> Result<Vec<Table>, Failure> {
+    if let Some(unknown) = ids.iter().find(|id| all.iter().all(|table| table.id != **id)) {
+        let known: Vec<&str> = all.iter().map(|table| table.id.as_str()).collect();
+        let hint = format!("the tables are {}", known.join(", "));
+        return Err(Failure::new("table", format!("there is no table `{unknown}`"), hint));
+    }
+    Ok(all.into_iter().filter(|t| ids.is_empty() || ids.contains(&t.id)).collect())
+}
+
+/// Audits with a progress bar on a terminal, silently elsewhere.
+fn run_audit(tables: &[Table], arguments: AuditArguments) -> Result<Audit, Failure> {
+    let cells: usize = tables.iter().map(|table| table.cells.len()).sum();
+    let bar = if std::io::stderr().is_terminal() {
+        ProgressBar::new(cells as u64)
+    } else {
+        ProgressBar::hidden()
+    };
+    let style = ProgressStyle::with_template("{bar:40} {pos}/{len} cells, {eta} left");
+    bar.set_style(style.expect("the template is well formed"));
+    let effort = Effort { level: arguments.level, budget: Budget::default() };
+    let audit = Audit::new(tables, effort, &|| bar.inc(1));
+    bar.finish_and_clear();
+    Ok(audit?)
+}
+
+fn report(action: &ReportAction) -> Result<ExitCode, Failure> {
+    let (ReportAction::Build { dir, audit } | ReportAction::Check { dir, audit }) = action;
+    let paper = Paper::builtin()?;
+    let site: Site = report_site(&paper, &run_audit(&paper.tables, *audit)?);
+    if let ReportAction::Build { .. } = action {
+        files::write_site(dir, &site)?;
+        eprintln!("{} files written to {}", site.len(), dir.display());
+        return Ok(ExitCode::SUCCESS);
+    }
+    let differences = files::differences(dir, &site)?;
+    if differences.is_empty() {
+        eprintln!("{}: {} files, none differs", dir.display(), site.len());
+        return Ok(ExitCode::SUCCESS);
+    }
+    output::print_text(&format!("{}\n", differences.join("\n")))?;
+    Ok(ExitCode::from(1))
+}

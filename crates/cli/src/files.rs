@@ -1,0 +1,102 @@
+//! Files, written whole or not at all.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use refinable_report::Site;
+use tempfile::NamedTempFile;
+
+use crate::failure::Failure;
+
+/// Writes every file of a site below `dir`: first all of them beside their places, then, when none
+/// has failed, each is moved over the old one.
+///
+/// # Errors
+/// A directory or file that cannot be written; then no file has changed.
+pub fn write_site(dir: &Path, site: &Site) -> Result<(), Failure> {
+    let mut staged: Vec<(NamedTempFile, PathBuf)> = Vec::new();
+    for (name, text) in site {
+        let path = dir.join(name);
+        if path.is_dir() {
+            let hint = "move the directory away, or choose another place for the report";
+            let message = format!("{} is a directory, not a file", path.display());
+            return Err(Failure::new("file", message, hint));
+        }
+        let parent = path.parent().unwrap_or(dir);
+        fs::create_dir_all(parent).map_err(|error| Failure::file(parent, &error))?;
+        let mut file = NamedTempFile::new_in(parent).map_err(|e| Failure::file(parent, &e))?;
+        file.write_all(text.as_bytes()).map_err(|error| Failure::file(&path, &error))?;
+        file.as_file().sync_all().map_err(|error| Failure::file(&path, &error))?;
+        staged.push((file, path));
+    }
+    for (file, path) in staged {
+        publish(file, &path)?;
+    }
+    Ok(())
+}
+
+/// Moves a finished temporary file to its place, readable by all like any other file.
+fn publish(file: NamedTempFile, path: &Path) -> Result<(), Failure> {
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        let readable = fs::Permissions::from_mode(0o644);
+        file.as_file().set_permissions(readable).map_err(|e| Failure::file(path, &e))?;
+    }
+    file.persist(path).map(drop).map_err(|error| Failure::file(path, &error.error))
+}
+
+/// How a directory differs from a site: one line for each file that is missing, different, or
+/// stands among the generated ones without belonging there.
+///
+/// # Errors
+/// A directory that cannot be read.
+pub fn differences(dir: &Path, site: &Site) -> Result<Vec<String>, Failure> {
+    if !dir.is_dir() {
+        let hint = format!("`refinable report build {}` writes one", dir.display());
+        return Err(Failure::new("file", format!("{} is no directory", dir.display()), hint));
+    }
+    let mut lines = Vec::new();
+    for (name, text) in site {
+        match fs::read_to_string(dir.join(name)) {
+            Ok(found) if found == *text => {}
+            Ok(found) => lines.push(first_difference(name, &found, text)),
+            Err(_) => lines.push(format!("{name}: missing")),
+        }
+    }
+    let folders: BTreeSet<&str> =
+        site.keys().filter_map(|name| name.rsplit_once('/')).map(|(folder, _)| folder).collect();
+    for folder in folders {
+        lines.extend(strangers(dir, folder, site)?);
+    }
+    Ok(lines)
+}
+
+/// Files in a generated folder that the report does not have.
+fn strangers(dir: &Path, folder: &str, site: &Site) -> Result<Vec<String>, Failure> {
+    let path = dir.join(folder);
+    if !path.is_dir() {
+        return Ok(Vec::new());
+    }
+    let mut names = BTreeSet::new();
+    for entry in fs::read_dir(&path).map_err(|error| Failure::file(&path, &error))? {
+        let entry = entry.map_err(|error| Failure::file(&path, &error))?;
+        names.insert(format!("{folder}/{}", entry.file_name().to_string_lossy()));
+    }
+    let unknown = names.into_iter().filter(|name| !site.contains_key(name));
+    Ok(unknown.map(|name| format!("{name}: not part of the report")).collect())
+}
+
+fn first_difference(name: &str, found: &str, expected: &str) -> String {
+    let pairs = found.lines().zip(expected.lines()).enumerate();
+    match pairs.into_iter().find(|(_, (a, b))| a != b) {
+        Some((k, (a, b))) => format!("{name}: line {}\n  - {a}\n  + {b}", k + 1),
+        None => format!(
+            "{name}: {} lines, should be {}",
+            found.lines().count(),
+            expected.lines().count()
+        ),
+    }
+}

@@ -1,0 +1,68 @@
+//! Documents on standard output.
+
+use std::io::{self, Write};
+
+use comfy_table::presets::UTF8_HORIZONTAL_ONLY;
+use comfy_table::{ContentArrangement, LineStyle, Table, TableStyle};
+use refinable_report::{Document, Grid};
+
+use crate::arguments::Format;
+use crate::failure::Failure;
+
+/// The width of tables that are not printed to a terminal.
+const WIDTH: u16 = 160;
+/// Lines above and below the table and under its header, none between the rows.
+const STYLE: TableStyle = UTF8_HORIZONTAL_ONLY.row_separator(LineStyle::none());
+
+/// Prints a document in the asked format.
+///
+/// # Errors
+/// A standard output that cannot be written to; a closed pipe is none.
+pub fn print(document: &Document, format: Format) -> Result<(), Failure> {
+    let text = match format {
+        Format::Text => text(document),
+        Format::Json => document.json_text(),
+        Format::Csv => document.csv(),
+        Format::Md => document.markdown(),
+        Format::Latex => document.latex(),
+    };
+    print_text(&text)
+}
+
+/// Prints text as it is.
+///
+/// # Errors
+/// As for [`print`].
+pub fn print_text(text: &str) -> Result<(), Failure> {
+    let mut stdout = io::stdout().lock();
+    match stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush()) {
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
+            Err(Failure::new("output", error.to_string(), "standard output cannot be written to"))
+        }
+        _ => Ok(()),
+    }
+}
+
+fn text(document: &Document) -> String {
+    let mut parts: Vec<String> = document.grids.iter().map(grid).collect();
+    parts.extend(document.summary.as_ref().map(|line| format!("{line}\n")));
+    parts.join("\n")
+}
+
+fn grid(grid: &Grid) -> String {
+    let mut table = Table::new();
+    table.load_style(STYLE);
+    table.set_content_arrangement(ContentArrangement::Dynamic);
+    if !table.is_tty() {
+        table.set_width(WIDTH);
+    }
+    table.set_header(&grid.header);
+    for row in &grid.rows {
+        table.add_row(row.iter().map(|cell| &cell.plain));
+    }
+    let mut text = format!("{}\n{}\n", grid.caption, table.trim_fmt());
+    for remark in &grid.remarks {
+        text.push_str(&format!("{remark}\n"));
+    }
+    text
+}
