@@ -305,12 +305,9 @@ fn all_hold(
     parameters: &[Parameter],
 ) -> Result<bool, Vec<Component>> {
     for condition in conditions.iter().filter(|c| !c.is_zero()) {
-        let parts = piece.split_by(condition, parameters);
-        if parts != [piece.clone()] {
-            return Err(parts);
-        }
         if !piece.annihilates(condition) {
-            return Ok(false);
+            let parts = piece.split_by(condition, parameters);
+            return if parts == [piece.clone()] { Ok(false) } else { Err(parts) };
         }
     }
     Ok(true)
