@@ -32,7 +32,7 @@ pub fn print(document: &Document, format: Format) -> Result<(), Failure> {
 /// Prints text as it is.
 ///
 /// # Errors
-/// As for [`print`].
+/// As for [`print()`].
 pub fn print_text(text: &str) -> Result<(), Failure> {
     let mut stdout = io::stdout().lock();
     match stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush()) {
