@@ -86,6 +86,26 @@ pub fn norm_range(
         points.retain(|t| t.sign_of(&symbol.denominator).is_ne());
     }
     let mut work = Work::default();
+    let levels = level_sets(&symbol, divisible_at.as_deref(), max_level, &mut work);
+    Ok(NormRange {
+        continuity,
+        parameter: parameter.clone(),
+        proved: Region::union_of(levels.iter().cloned()).simplified(),
+        levels,
+        poles: roots_of(&symbol.denominator),
+        divisible_at,
+        work,
+    })
+}
+
+/// The exact sets on which the norms of the levels `1, …, max_level` are below 1, within the points at
+/// which alone the symbol exists if these are given.
+pub(crate) fn level_sets(
+    symbol: &ClearedSymbol,
+    points: Option<&[RealAlgebraic]>,
+    max_level: u32,
+    work: &mut Work,
+) -> Vec<Region> {
     let mut levels = Vec::new();
     let mut powers = Powers::new(symbol.numerator.clone(), symbol.arity);
     let mut d = symbol.denominator.clone();
@@ -96,23 +116,15 @@ pub fn norm_range(
         }
         let rows = distinct_rows(&powers);
         work.rows += rows.len();
-        levels.push(match &divisible_at {
-            None => sublevel_set(&rows, &d, &mut work),
+        levels.push(match points {
+            None => sublevel_set(&rows, &d, work),
             Some(points) => {
                 let proved = |t: &&RealAlgebraic| rows.iter().all(|row| row.holds_at(&d, t));
                 Region::points(points.iter().filter(proved).cloned())
             }
         });
     }
-    Ok(NormRange {
-        continuity,
-        parameter: parameter.clone(),
-        proved: Region::union_of(levels.iter().cloned()).simplified(),
-        levels,
-        poles: roots_of(&symbol.denominator),
-        divisible_at,
-        work,
-    })
+    levels
 }
 
 /// The norm `‖c_n^L‖` of a scheme without free parameters; `None` if `c_n` does not exist.

@@ -1,0 +1,79 @@
+//! From bytes to a certificate and back.
+
+use crate::error::Unreadable;
+use crate::limits;
+use crate::model::{Certificate, FORMAT, VERSION};
+
+impl Certificate {
+    /// Reads a certificate. Nothing is checked but its form and its size.
+    ///
+    /// # Errors
+    /// [`Unreadable`] if it has not the right form or is too large.
+    pub fn read(bytes: &[u8]) -> Result<Certificate, Unreadable> {
+        if bytes.len() > limits::FILE {
+            return Err(Unreadable::TooLarge("a file of more than 64 MiB".into()));
+        }
+        scan(bytes).map_err(|what| Unreadable::TooLarge(what.into()))?;
+        let certificate: Certificate = serde_json::from_slice(bytes)
+            .map_err(|error| Unreadable::Malformed(shortened(&error.to_string())))?;
+        if certificate.format != FORMAT {
+            return Err(Unreadable::Malformed(format!("the format is not {FORMAT:?}")));
+        }
+        if certificate.version != VERSION {
+            return Err(Unreadable::Malformed(format!("the version is not {VERSION}")));
+        }
+        limits::check(&certificate).map_err(|what| Unreadable::TooLarge(what.into()))?;
+        Ok(certificate)
+    }
+
+    /// The certificate as JSON, in one line; the same text for the same certificate.
+    pub fn to_json(&self) -> String {
+        serde_json::to_string(self).expect("every field has a JSON form")
+    }
+}
+
+/// Checks, without any memory, that the nesting is not too deep, no string or number too long and
+/// the number of values not too large. Text that is not JSON is for the parser to refuse.
+fn scan(bytes: &[u8]) -> Result<(), &'static str> {
+    let (mut depth, mut values, mut token) = (0_usize, 0_usize, 0_usize);
+    let (mut in_string, mut escaped) = (false, false);
+    for &byte in bytes {
+        token += 1;
+        if token > limits::TOKEN {
+            return Err("a string or number of more than 4000 characters");
+        }
+        if in_string {
+            in_string = escaped || byte != b'"';
+            escaped = !escaped && byte == b'\\';
+            continue;
+        }
+        match byte {
+            b'[' | b'{' => {
+                depth += 1;
+                values += 1;
+            }
+            b']' | b'}' => depth = depth.saturating_sub(1),
+            b',' => values += 1,
+            b'"' => in_string = true,
+            b':' | b' ' | b'\t' | b'\r' | b'\n' => {}
+            _ => continue,
+        }
+        token = 0;
+        if depth > limits::DEPTH {
+            return Err("a nesting deeper than 16");
+        }
+        if values > limits::VALUES {
+            return Err("more than ten million values");
+        }
+    }
+    Ok(())
+}
+
+/// The message of the parser, which may quote the file.
+fn shortened(message: &str) -> String {
+    const LONGEST: usize = 200;
+    match message.char_indices().nth(LONGEST) {
+        Some((end, _)) => format!("{}…", &message[..end]),
+        None => message.into(),
+    }
+}

@@ -1,0 +1,107 @@
+//! Binary logarithms, enclosed by repeated squaring with outward rounding.
+
+use refinable_algebra::{Integer, Rational, Ring, bit_length, integer};
+
+use crate::order::equal;
+use crate::real::Real;
+use crate::work::{Check, Work, ensure};
+
+/// The binary places of the result.
+const PLACES: u32 = 96;
+/// The binary places of the intermediate numbers: each squaring doubles the relative error.
+const WORKING: u32 = 256;
+
+/// Rational numbers below and above `log2 x` for positive `x`, at a distance of at most about
+/// `2^-95`; equal if `x` is a rational power of two with an integer exponent.
+pub(crate) fn binary_logarithm(x: &Real, work: &mut Work) -> Check<(Rational, Rational)> {
+    let positive = x.compare(&Real::Rational(Rational::from(integer(0))), work)?.is_gt();
+    ensure(positive, "a logarithm of a number that is not positive")?;
+    let mut bits = WORKING;
+    loop {
+        let (lower, upper) = x.enclosure(bits, work)?;
+        // Until the enclosure is narrow against the number.
+        let places = (lower.numer().bits() + u64::from(bits)).saturating_sub(lower.denom().bits());
+        let narrow = *lower.numer() > Integer::zero() && places + 8 >= u64::from(WORKING);
+        if narrow || equal(&lower, &upper) {
+            return Ok((bound(&lower, false), bound(&upper, true)));
+        }
+        bits = bits.saturating_mul(2);
+        work.spend(u64::from(bits) * u64::from(bits))?;
+    }
+}
+
+/// `log2 x` rounded downwards or upwards.
+fn bound(x: &Rational, upwards: bool) -> Rational {
+    let exponent = floor_logarithm(x);
+    // The mantissa x / 2^exponent in [1, 2), in fixed point.
+    let (numerator, denominator) = if exponent >= 0 {
+        (x.numer() << WORKING, x.denom() << exponent.unsigned_abs())
+    } else {
+        (x.numer() << (u64::from(WORKING) + exponent.unsigned_abs()), x.denom().clone())
+    };
+    let one = integer(1) << WORKING;
+    let mut mantissa = divide(&numerator, &denominator, upwards);
+    if &denominator << WORKING == numerator {
+        return Rational::from(integer(exponent));
+    }
+    let mut digits = Integer::zero();
+    for _ in 0..PLACES {
+        mantissa = divide(&(&mantissa * &mantissa), &one, upwards);
+        digits = &digits * 2;
+        if mantissa >= &one * 2 {
+            digits += 1;
+            mantissa = divide(&mantissa, &integer(2), upwards);
+        }
+    }
+    if upwards {
+        digits += 1;
+    }
+    Rational::from(integer(exponent)) + Rational::new(digits, integer(1) << PLACES)
+}
+
+/// `⌊log2 x⌋` for positive `x`.
+fn floor_logarithm(x: &Rational) -> i64 {
+    let guess = bit_length(x.numer()) as i64 - bit_length(x.denom()) as i64;
+    // 2^(guess-1) < x < 2^(guess+1)
+    let (left, right) = if guess >= 0 {
+        (x.numer().clone(), x.denom() << guess.unsigned_abs())
+    } else {
+        (x.numer() << guess.unsigned_abs(), x.denom().clone())
+    };
+    if left >= right { guess } else { guess - 1 }
+}
+
+/// The quotient of positive integers, rounded.
+fn divide(a: &Integer, b: &Integer, upwards: bool) -> Integer {
+    if upwards { (a + b - 1) / b } else { a / b }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use refinable_algebra::rational;
+
+    fn enclose(p: i64, q: i64) -> (Rational, Rational) {
+        binary_logarithm(&Real::Rational(rational(p, q)), &mut Work::new()).unwrap()
+    }
+
+    #[test]
+    fn powers_of_two_are_exact() {
+        assert_eq!(enclose(8, 1), (rational(3, 1), rational(3, 1)));
+        assert_eq!(enclose(1, 32), (rational(-5, 1), rational(-5, 1)));
+        assert_eq!(enclose(1, 1), (rational(0, 1), rational(0, 1)));
+    }
+
+    #[test]
+    fn the_logarithm_of_three_is_enclosed() {
+        // 1.58496250072115618145373894394781650875981440769248…
+        let text =
+            |n: i64| Rational::new(integer(1_584_962_500_721_156_181) + n, integer(10).power(18));
+        for (shift, (lower, upper)) in [(1, enclose(3, 1)), (-1, enclose(3, 4))] {
+            let moved = |x: Rational| x + rational(1 - shift, 1);
+            let (lower, upper) = (moved(lower), moved(upper));
+            assert!(text(0) < lower && lower < upper && upper < text(1));
+            assert!(upper - lower < rational(1, 1 << 62) * rational(1, 1 << 30));
+        }
+    }
+}

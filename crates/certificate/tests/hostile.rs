@@ -1,0 +1,247 @@
+//! Files that are broken, or too large, or both.
+
+mod common;
+
+use std::time::{Duration, Instant};
+
+use common::{FOUR_POINT, certificate, constant_family, four_point, nothing};
+use refinable_certificate::{Certificate, Unreadable, verify};
+use serde_json::{Value, json};
+
+/// Reads and, if that succeeds, verifies; neither may take long.
+fn survive(bytes: &[u8]) -> Result<(), String> {
+    let start = Instant::now();
+    let result = match Certificate::read(bytes) {
+        Ok(certificate) => verify(&certificate).map(|_| ()).map_err(|e| e.to_string()),
+        Err(unreadable) => Err(unreadable.to_string()),
+    };
+    assert!(start.elapsed() < Duration::from_secs(60), "{:?} {result:?}", start.elapsed());
+    if let Err(reason) = &result {
+        assert!(!reason.is_empty() && reason.len() < 400, "{reason}");
+    }
+    result
+}
+
+fn survive_value(value: &Value) -> Result<(), String> {
+    survive(value.to_string().as_bytes())
+}
+
+fn lemma(lemma: Value) -> Value {
+    certificate(&four_point(), &nothing(1), &json!([lemma]))
+}
+
+fn too_large(value: &Value) {
+    let read = Certificate::read(value.to_string().as_bytes());
+    assert!(matches!(read, Err(Unreadable::TooLarge(_))), "{read:?}");
+}
+
+#[test]
+fn every_truncation_is_unreadable() {
+    let bytes = FOUR_POINT.trim_end().as_bytes();
+    assert!(survive(bytes).is_ok());
+    for length in 0..bytes.len() {
+        assert!(Certificate::read(&bytes[..length]).is_err(), "{length}");
+    }
+}
+
+#[test]
+fn bytes_of_any_kind() {
+    for bytes in [&b""[..], b"\xff\xfe", b"null", b"[]", b"{}", b"\"", b"{\"format\":", b"1e999999"]
+    {
+        assert!(survive(bytes).is_err());
+    }
+    for open in ["[", "{\"a\":", "{\"lemmas\":[{\"kind\":\"at\",\"lemmas\":["] {
+        let deep = open.repeat(1_000_000);
+        assert!(survive(deep.as_bytes()).unwrap_err().contains("nesting"));
+    }
+    let digits = "7".repeat(10_000_000);
+    for text in [digits.clone(), format!("\"{digits}\""), format!("{{\"version\":{digits}}}")] {
+        assert!(survive(text.as_bytes()).unwrap_err().contains("4000"));
+    }
+    let many = format!("[{}0]", "0,".repeat(20_000_000));
+    assert!(survive(many.as_bytes()).unwrap_err().contains("ten million"));
+    assert!(survive(&vec![b' '; (64 << 20) + 1]).unwrap_err().contains("64 MiB"));
+    assert!(survive(&vec![b'"'; 1 << 20]).is_err());
+}
+
+#[test]
+fn unknown_missing_and_repeated_fields() {
+    let valid = FOUR_POINT.trim_end();
+    let with = |from: &str, to: &str| valid.replacen(from, to, 1);
+    for text in [
+        with("\"version\":1", "\"version\":2"),
+        with("\"version\":1", "\"version\":1,\"version\":1"),
+        with("\"version\":1", "\"version\":1,\"more\":1"),
+        with("refinable-certificate", "refinable"),
+        with("\"arity\":2", "\"arity\":2.0"),
+        with("\"arity\":2", "\"arity\":-2"),
+        with("\"arity\":2", "\"arity\":\"2\""),
+        with("\"kind\":\"norm\"", "\"kind\":\"norm\",\"kind\":\"norm\""),
+        with("\"kind\":\"norm\"", "\"kind\":\"trust\""),
+        with("\"level\":2", "\"level\":2,\"colour\":3"),
+        with("\"word\":\"0\",\"from\":null", "\"word\":\"0\""),
+        with("\"1/100\"", "\"0.01\""),
+        with("\"1/100\"", "\"1/0\""),
+        with("\"1/100\"", "0"),
+        with("\"1/100\"", "\" 1/100\""),
+    ] {
+        assert_ne!(text, valid);
+        let read = Certificate::read(text.as_bytes());
+        assert!(matches!(read, Err(Unreadable::Malformed(_))), "{read:?}");
+    }
+}
+
+#[test]
+fn sizes_beyond_the_limits() {
+    let word = |word: String| {
+        lemma(json!({"kind": "word", "pencil": "parameter", "word": word, "from": "0", "to": "0"}))
+    };
+    too_large(&word("0".repeat(33)));
+    let long = word("0".repeat(1_000_000));
+    assert!(survive_value(&long).is_err());
+    too_large(&lemma(json!({"kind": "norm", "level": 13, "from": "0", "to": "0"})));
+    too_large(&lemma(json!({"kind": "norm", "level": u32::MAX, "from": "0", "to": "0"})));
+    let root = json!({"root_of": vec!["1"; 1202], "between": ["0", "1"]});
+    too_large(&lemma(json!({"kind": "nonnegative", "end": root})));
+    too_large(&certificate(&constant_family(&[1; 1001], 1, 1), &nothing(0), &json!([])));
+    too_large(&certificate(&constant_family(&[1; 60], 30, 1), &nothing(0), &json!([])));
+    let at = json!({"kind": "at", "value": "0", "order": 1, "lemmas": []});
+    too_large(&lemma(json!({"kind": "at", "value": "0", "order": 1, "lemmas": [at]})));
+    let norm = json!({"kind": "norm", "level": 1, "from": "0", "to": "0"});
+    too_large(&certificate(&four_point(), &nothing(1), &json!(vec![norm; 5001])));
+    let prime = |i: usize| format!("1/{}", 10_u64.pow(17) + 1 + i as u64);
+    let mut family = four_point();
+    family["mask"] = json!((0..900).map(|i| [prime(i)]).collect::<Vec<_>>());
+    too_large(&certificate(&family, &nothing(1), &json!([])));
+    let digits = format!("\"{}\"", "7".repeat(2001));
+    let text = FOUR_POINT.replacen("\"1/100\"", &digits, 1);
+    assert!(Certificate::read(text.as_bytes()).is_err());
+}
+
+#[test]
+fn hostile_family_numbers() {
+    for (field, value) in [
+        ("order", json!(u64::MAX)),
+        ("order", json!(0)),
+        ("arity", json!(u64::MAX)),
+        ("arity", json!(0)),
+        ("arity", json!(1)),
+        ("mask", json!([])),
+        ("mask", json!([[]])),
+        ("mask", json!([["1"], ["1"]])),
+    ] {
+        let mut family = four_point();
+        family[field] = value;
+        assert!(survive_value(&certificate(&family, &nothing(1), &json!([]))).is_err(), "{field}");
+    }
+    for lowest in [i64::MIN, i64::MAX] {
+        let mut family = four_point();
+        family["lowest"] = json!(lowest);
+        assert!(survive_value(&certificate(&family, &nothing(1), &json!([]))).is_ok());
+    }
+    let norm = json!([{"kind": "norm", "level": 1, "from": "0", "to": "0"}]);
+    assert!(
+        survive_value(&certificate(
+            &four_point(),
+            &json!({"kind": "continuity",
+        "continuity": u64::MAX, "proved": [], "refuted": []}),
+            &norm
+        ))
+        .is_err()
+    );
+}
+
+#[test]
+fn hostile_polytopes() {
+    let valid: Value = serde_json::from_str(FOUR_POINT).unwrap();
+    let change = |pointer: &str, value: Value| {
+        let mut changed = valid.clone();
+        *changed.pointer_mut(&format!("/lemmas/1/{pointer}")).expect(pointer) = value;
+        assert!(survive_value(&changed).is_err(), "{pointer}");
+    };
+    change("bits", json!(63));
+    change("bits", json!(u32::MAX));
+    change("weight_bits", json!(63));
+    change("vertices", json!([]));
+    change("vertices/3", json!([]));
+    change("vertices/3/0", json!(i64::MIN));
+    change("vertices/0/0", json!(i64::MAX));
+    change("units", json!([]));
+    change("units/0", json!(null));
+    change("units/0", json!([]));
+    change("units/0/0/0", json!(u64::MAX));
+    change("units/0/0/1", json!(i64::MIN));
+    change("inner_images/0", json!([]));
+    change("inner_images/0/0", json!(null));
+    change("inner_images/0/0", json!(vec![[0, i64::MIN]; 9]));
+    change("end_images/1/0", json!([[u64::MAX, 1]]));
+    change("end_images/5/0", json!(null));
+    change("leading/0/vertex", json!(u64::MAX));
+    change("leading/0/vertex", json!(29));
+    change("leading/0/pivot", json!(u64::MAX));
+    change("leading/0/pivot", json!(4));
+    change("leading/0/sign", json!(i32::MIN));
+    change("leading/0/sign", json!(0));
+    change("leading/0/word", json!(""));
+    change("leading/0/word", json!("02"));
+    change("leading/0/word", json!("0é"));
+    change("leading", json!([valid["lemmas"][1]["leading"][0], valid["lemmas"][1]["leading"][0]]));
+    change("end", json!({"root_of": [], "between": ["0", "1"]}));
+    change("end", json!({"root_of": ["1"], "between": ["0", "1"]}));
+    change("end", json!({"root_of": ["-1", "4", "0", "32"], "between": ["1", "0"]}));
+    change("end", json!({"root_of": ["0", "1"], "between": ["0", "1"]}));
+    change("end", json!("1/0"));
+}
+
+/// Small files with a lot of work behind them.
+#[test]
+fn bombs() {
+    let long = |i: usize| format!("{}{i}", "7".repeat(1990));
+    let polynomial: Vec<_> = (0..1201).map(|i| long(1000 + i)).collect();
+    let root = json!({"root_of": polynomial, "between": ["-1", long(1)]});
+    let stable = json!({"kind": "stable", "except": [root]});
+    assert!(survive_value(&lemma(stable)).is_err());
+    // Roots that agree to hundreds of digits: told apart, and the statement is true.
+    let close = |shift: &str| json!({"root_of": [format!("-2{shift}"), "0", format!("1{}0", "0".repeat(shift.len() - 1))], "between": ["0", "2"]});
+    let (a, b) = (close(&"0".repeat(900)), close(&format!("{}1", "0".repeat(899))));
+    let word = json!({"kind": "word", "pencil": "parameter", "word": "0", "from": a, "to": b});
+    assert_eq!(survive_value(&lemma(word)), Ok(()));
+    let far = json!({"kind": "word", "pencil": "parameter", "word": "01".repeat(16),
+        "from": long(1), "to": long(2)});
+    let _ = survive_value(&lemma(far));
+    // A norm with long numbers, and one that is one at an end.
+    let fraction = |i: usize| format!("{}/{}", long(i), long(i + 1));
+    let norm = json!({"kind": "norm", "level": 12, "from": fraction(1), "to": fraction(3)});
+    assert!(survive_value(&lemma(norm)).is_err());
+    let norm = json!({"kind": "norm", "level": 12, "from": "0", "to": "1/10"});
+    assert!(survive_value(&lemma(norm)).is_err());
+    // The largest matrices and the longest words.
+    let mut mask = vec![0_i64; 42];
+    (0..42).for_each(|i| mask[i] = [3, -5, 2, 7, -1, -4][i % 6]);
+    let sums = [0, 1].map(|j| mask.iter().skip(j).step_by(2).sum::<i64>());
+    let pairs: Vec<_> = mask
+        .iter()
+        .enumerate()
+        .map(|(i, c)| {
+            let constant = if i < 2 { (1 - sums[i] + c).to_string() } else { c.to_string() };
+            let slope = if i < 2 { (c - sums[i]).to_string() } else { c.to_string() };
+            [constant, slope]
+        })
+        .collect();
+    let family =
+        json!({"name": "", "arity": 2, "parameter": "t", "order": 1, "lowest": 0, "mask": pairs});
+    for lemma in [
+        json!({"kind": "word", "pencil": "parameter", "word": "01101".repeat(6), "from": null, "to": null}),
+        json!({"kind": "stable", "except": []}),
+        json!({"kind": "norm", "level": 12, "from": "0", "to": "1"}),
+    ] {
+        let claim = certificate(&family, &nothing(0), &json!([lemma]));
+        assert!(survive_value(&claim).is_err());
+    }
+    // A long mask for which the cyclotomic polynomials are many.
+    let mut spread = vec![0; 1000];
+    (spread[0], spread[999]) = (1, 1);
+    let mut family = constant_family(&spread, 1, 1);
+    family["order"] = json!(1);
+    too_large(&certificate(&family, &nothing(0), &json!([{"kind": "stable", "except": []}])));
+}

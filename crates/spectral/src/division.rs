@@ -1,0 +1,352 @@
+//! The line of parameters, divided at `ρ(x) = 1`.
+
+use rayon::prelude::*;
+use refinable_algebra::Rational;
+use refinable_certificate::{self as certificate, Lemma, Polytope};
+use refinable_reals::{Bound, Interval, RealAlgebraic, Region};
+
+use crate::float::{approximate, approximate_root, short_dyadic};
+use crate::leading::fastest;
+use crate::pencil::Pencil;
+use crate::rough::{Product, rough_set, sign_set};
+use crate::search::{Closed, Crossing, Search, certificate_end};
+use crate::word::Word;
+
+/// What is wanted of a division.
+#[derive(Clone, Debug)]
+pub struct Options {
+    /// The longest word that is tried.
+    pub longest_word: usize,
+    /// How wide, against the interval, an undecided gap at an end may be that is not proved exactly.
+    pub gap: Rational,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Options { longest_word: 8, gap: refinable_algebra::rational(1, 1_000_000) }
+    }
+}
+
+/// Where the joint spectral radius `ρ(x)` of a pencil is less than one, and where it is not.
+#[derive(Clone, Debug)]
+pub struct Division {
+    /// `ρ(x) < 1` is proved here.
+    pub contracting: Region,
+    /// `ρ(x) ≥ 1` is proved here, by words.
+    pub expanding: Region,
+    /// The proofs.
+    pub lemmas: Vec<Lemma>,
+}
+
+/// What is known about one word.
+struct KnownWord {
+    word: Word,
+    crossings: Vec<Crossing>,
+    region: Region,
+    complete: bool,
+}
+
+/// Divides the line at `ρ(x) = 1`: words from below, polytopes from above.
+///
+/// `known` are closed intervals on which `ρ(x) < 1` has been shown otherwise; `accept` is the
+/// independent check of a polytope.
+///
+/// # Source
+/// Words and extremal polytopes: Guglielmi and Protasov 2013. One polytope for a half-open interval
+/// up to an exact end, and for a whole cell: convexity, see `docs/certificates.md`.
+pub fn divide(
+    pencil: &Pencil,
+    known: &[(Rational, Rational)],
+    options: &Options,
+    accept: &(dyn Fn(&Polytope) -> bool + Sync),
+) -> Division {
+    let words = Word::necklaces(pencil.letters(), options.longest_word, pencil.is_mirrored());
+    let mut expansion = Expansion::new(pencil, &words);
+    let search =
+        Search { pencil, kind: certificate::Pencil::Parameter, words: &words, accept };
+    loop {
+        let components = expansion.region().complement().intervals();
+        let proofs: Vec<Cover> = components
+            .par_iter()
+            .map(|component| prove(&search, component, &expansion.crossings(), known, options))
+            .collect();
+        let faster: Vec<Word> = proofs.iter().flat_map(|p| p.faster.clone()).collect();
+        if faster.iter().any(|word| expansion.learn(word)) {
+            continue;
+        }
+        return conclude(known, proofs, &expansion);
+    }
+}
+
+/// Whether the joint spectral radius of constant matrices is less than one.
+#[derive(Clone, Debug)]
+pub enum Constant {
+    /// It is, by a polytope on the point that was given.
+    Contracting(Box<Polytope>),
+    /// It is not: the product along this word has spectral radius at least one.
+    Expanding(Word),
+    /// The effort did not suffice.
+    Undecided,
+}
+
+/// Decides the pencil at a point, which only names the place if the pencil is constant.
+pub fn decide(
+    pencil: &Pencil,
+    point: &Rational,
+    options: &Options,
+    accept: &(dyn Fn(&Polytope) -> bool + Sync),
+) -> Constant {
+    let words = Word::necklaces(pencil.letters(), options.longest_word, pencil.is_mirrored());
+    let matrices = pencil.rounded_at(approximate(point));
+    let (word, growth) = fastest(&matrices, &words);
+    if growth > 1.0 - 1e-9 {
+        let product = Product::new(&pencil.cleared(), word);
+        if rough_set(&product).contains_rational(point) {
+            return Constant::Expanding(word.clone());
+        }
+    }
+    let search = Search { pencil, kind: certificate::Pencil::Parameter, words: &words, accept };
+    match search.closed(point, point) {
+        Closed::Proved(polytope) => Constant::Contracting(polytope),
+        Closed::Faster(_) | Closed::Nothing => Constant::Undecided,
+    }
+}
+
+fn conclude(known: &[(Rational, Rational)], proofs: Vec<Cover>, expansion: &Expansion) -> Division {
+    let closed = |a: &Rational, b: &Rational| {
+        Region::interval(Bound::Closed(a.clone().into()), Bound::Closed(b.clone().into()))
+    };
+    let mut contracting = Region::union_of(known.iter().map(|(a, b)| closed(a, b)));
+    let mut lemmas = expansion.lemmas();
+    for polytope in proofs.into_iter().flat_map(|p| p.polytopes) {
+        contracting = contracting.union(&proved_by(&polytope));
+        lemmas.push(Lemma::Polytope(Box::new(polytope)));
+    }
+    Division { contracting, expanding: expansion.region(), lemmas }
+}
+
+/// The interval on which a polytope proves contraction.
+fn proved_by(polytope: &Polytope) -> Region {
+    let inner = RealAlgebraic::from(polytope.inner.0.clone());
+    let end = match &polytope.end {
+        certificate::End::Rational(x) => RealAlgebraic::from(x.0.clone()),
+        certificate::End::Algebraic(root) => root_of(root),
+    };
+    let far = if polytope.leading.is_empty() { Bound::Closed } else { Bound::Open };
+    if inner <= end {
+        Region::interval(Bound::Closed(inner), far(end))
+    } else {
+        Region::interval(far(end), Bound::Closed(inner))
+    }
+}
+
+fn root_of(root: &certificate::Root) -> RealAlgebraic {
+    let coefficients: Vec<Rational> = root.root_of.iter().map(|c| c.0.clone()).collect();
+    let polynomial = refinable_algebra::Polynomial::new(coefficients).cleared().1;
+    let [lower, upper] = &root.between;
+    let roots = refinable_reals::real_roots_between(&polynomial, &lower.0, &upper.0);
+    roots.into_iter().next().expect("an end is written with its root inside")
+}
+
+/// All words that matter so far.
+struct Expansion<'a> {
+    pencil: &'a Pencil,
+    words: &'a [Word],
+    cleared: (refinable_algebra::Integer, Vec<refinable_algebra::Matrix<refinable_algebra::Polynomial<refinable_algebra::Integer>>>),
+    known: Vec<KnownWord>,
+}
+
+impl<'a> Expansion<'a> {
+    /// Words of length one and two, and whatever floats find to grow at samples elsewhere.
+    fn new(pencil: &'a Pencil, words: &'a [Word]) -> Self {
+        let cleared = pencil.cleared();
+        let mut expansion = Expansion { pencil, words, cleared, known: Vec::new() };
+        for word in words.iter().filter(|word| word.letters().len() <= 2) {
+            expansion.learn(word);
+        }
+        while expansion.learn_from_samples() {}
+        expansion
+    }
+
+    fn region(&self) -> Region {
+        Region::union_of(self.known.iter().map(|known| known.region.clone()))
+    }
+
+    fn crossings(&self) -> Vec<Crossing> {
+        self.known.iter().flat_map(|known| known.crossings.clone()).collect()
+    }
+
+    /// Adds what can be found out about a word; `false` if all was known.
+    fn learn(&mut self, word: &Word) -> bool {
+        let product = Product::new(&self.cleared, word);
+        if let Some(known) = self.known.iter_mut().find(|known| known.word == *word) {
+            if known.complete {
+                return false;
+            }
+            known.complete = true;
+            known.region = known.region.union(&rough_set(&product));
+            return true;
+        }
+        let signs = sign_set(&product);
+        let crossings = signs
+            .determinants
+            .into_iter()
+            .map(|(sign, determinant)| Crossing { word: word.clone(), sign, determinant })
+            .collect();
+        let region = signs.region;
+        self.known.push(KnownWord { word: word.clone(), crossings, region, complete: false });
+        true
+    }
+
+    /// Looks for growing words where none is known yet.
+    fn learn_from_samples(&mut self) -> bool {
+        let components = self.region().complement().intervals();
+        let samples: Vec<f64> = components.iter().flat_map(samples).collect();
+        let growing: Vec<Option<&Word>> = samples
+            .par_iter()
+            .map(|&x| {
+                let (word, growth) = fastest(&self.pencil.rounded_at(x), self.words);
+                (growth > 1.0 + 1e-9).then_some(word)
+            })
+            .collect();
+        let mut learned = false;
+        // One word at a time: it may grow at the other samples too.
+        for word in growing.into_iter().flatten() {
+            learned = self.learn(word);
+            if learned {
+                break;
+            }
+        }
+        learned
+    }
+
+    /// One lemma for each maximal interval of each word that the words before it do not cover.
+    fn lemmas(&self) -> Vec<Lemma> {
+        let mut covered = Region::empty();
+        let mut lemmas = Vec::new();
+        for known in &self.known {
+            for interval in known.region.intervals() {
+                let region = Region::interval(interval.lower.clone(), interval.upper.clone());
+                if region.is_subset(&covered) {
+                    continue;
+                }
+                covered = covered.union(&region);
+                lemmas.push(Lemma::Word {
+                    pencil: certificate::Pencil::Parameter,
+                    word: known.word.to_string(),
+                    from: interval.lower.number().map(certificate_end),
+                    to: interval.upper.number().map(certificate_end),
+                });
+            }
+        }
+        lemmas
+    }
+}
+
+/// Where to look for growing words: across the interval, and close to its ends.
+fn samples(interval: &Interval) -> Vec<f64> {
+    let number = |bound: &Bound| bound.number().map(approximate_root);
+    let (a, b) = (number(&interval.lower), number(&interval.upper));
+    match (a, b) {
+        (Some(a), Some(b)) => {
+            let across = (1..16).map(|k| a + (b - a) * f64::from(k) / 16.0);
+            let close = (1..7).flat_map(|k| {
+                let step = (b - a) * 0.1f64.powi(k) / 2.0;
+                [a + step, b - step]
+            });
+            across.chain(close).collect()
+        }
+        (Some(a), None) => (-10..40).step_by(3).map(|k| a + 2f64.powi(k)).collect(),
+        (None, Some(b)) => (-10..40).step_by(3).map(|k| b - 2f64.powi(k)).collect(),
+        (None, None) => {
+            (-20..40).step_by(4).flat_map(|k| [2f64.powi(k), -(2f64.powi(k))]).chain([0.0]).collect()
+        }
+    }
+}
+
+/// Polytopes on parts of an interval.
+#[derive(Default)]
+struct Cover {
+    polytopes: Vec<Polytope>,
+    /// Words that turned out to grow.
+    faster: Vec<Word>,
+}
+
+impl Cover {
+    /// Adds polytopes on closed intervals that together make up `[a, b]`, as far as the effort goes:
+    /// one for all if possible, else halves.
+    fn fill(&mut self, search: &Search, a: &Rational, b: &Rational, depth: u32) {
+        if a >= b {
+            return;
+        }
+        match search.closed(a, b) {
+            Closed::Proved(polytope) => self.polytopes.push(*polytope),
+            Closed::Faster(word) => self.faster.push(word),
+            Closed::Nothing if depth > 0 => {
+                let (x, y) = (approximate(a), approximate(b));
+                let middle = short_dyadic((x + y) / 2.0, (y - x) / 8.0);
+                self.fill(search, a, &middle, depth - 1);
+                self.fill(search, &middle, b, depth - 1);
+            }
+            Closed::Nothing => {}
+        }
+    }
+}
+
+/// Polytopes for one open interval without known growing words.
+fn prove(
+    search: &Search,
+    component: &Interval,
+    crossings: &[Crossing],
+    known: &[(Rational, Rational)],
+    options: &Options,
+) -> Cover {
+    let (Some(lower), Some(upper)) = (component.lower.number(), component.upper.number()) else {
+        // A set that is unbounded has no leading word at infinity; it is left undecided.
+        return Cover::default();
+    };
+    let (a, b) = (approximate_root(lower), approximate_root(upper));
+    // Both ends reach towards what is known inside already, or else towards each other's middle.
+    let inside = |x: &Rational| {
+        let x = approximate(x);
+        a < x && x < b
+    };
+    let mut solid: Vec<(Rational, Rational)> =
+        known.iter().filter(|(l, r)| inside(l) && inside(r)).cloned().collect();
+    solid.sort();
+    let middle = short_dyadic((a + b) / 2.0, (b - a) / 8.0);
+    let goals = (
+        solid.first().map_or(&middle, |s| &s.0).clone(),
+        solid.last().map_or(&middle, |s| &s.1).clone(),
+    );
+    let gap = approximate(&options.gap) * (b - a) * 0.5;
+    let (from_lower, from_upper) = rayon::join(
+        || from_end(search, lower, crossings, &goals.0, gap),
+        || from_end(search, upper, crossings, &goals.1, -gap),
+    );
+    let mut cover = Cover::default();
+    let mut reached = from_lower.0;
+    cover.polytopes.extend(from_lower.1);
+    cover.polytopes.extend(from_upper.1);
+    solid.push((from_upper.0.clone(), from_upper.0));
+    for (l, r) in solid {
+        cover.fill(search, &reached, &l, 7);
+        reached = reached.max(r);
+    }
+    cover
+}
+
+/// A polytope that reaches the end exactly, and the rational number it comes from; or else the
+/// number at which to begin, a gap away from the end.
+fn from_end(
+    search: &Search,
+    end: &RealAlgebraic,
+    crossings: &[Crossing],
+    goal: &Rational,
+    gap: f64,
+) -> (Rational, Option<Polytope>) {
+    match search.up_to(end, crossings, goal) {
+        Some(polytope) => (polytope.inner.0.clone(), Some(polytope)),
+        None => (short_dyadic(approximate_root(end) + gap, gap.abs() / 4.0), None),
+    }
+}

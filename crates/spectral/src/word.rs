@@ -1,0 +1,89 @@
+//! Words over the letters of a pencil.
+
+use std::fmt;
+
+/// A product of matrices: letters are applied from left to right, `Π_w = B_{w_l} ⋯ B_{w_1}`.
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub struct Word(Vec<u8>);
+
+impl Word {
+    /// The letters.
+    pub fn letters(&self) -> &[u8] {
+        &self.0
+    }
+
+    /// One word of each class under rotation, and under the mirror image `ε ↔ m-1-ε` if `mirrored`,
+    /// that is no power of a shorter one; shorter words first. The product of any word has the
+    /// spectral radius of a power of one of these.
+    ///
+    /// # Cost
+    /// `letters^length` words are looked at.
+    pub fn necklaces(letters: usize, longest: usize, mirrored: bool) -> Vec<Word> {
+        let mut all = Vec::new();
+        for length in 1..=longest {
+            let count = letters.pow(length as u32);
+            let words = (0..count).map(|code| Word::from_code(code, letters, length));
+            all.extend(words.filter(|word| {
+                word.is_lyndon() && (!mirrored || *word <= word.mirrored(letters).least_rotation())
+            }));
+        }
+        all
+    }
+
+    fn from_code(mut code: usize, letters: usize, length: usize) -> Word {
+        let mut word = vec![0; length];
+        for letter in word.iter_mut().rev() {
+            *letter = (code % letters) as u8;
+            code /= letters;
+        }
+        Word(word)
+    }
+
+    fn rotations(&self) -> impl Iterator<Item = Vec<u8>> {
+        (1..self.0.len()).map(|k| [&self.0[k..], &self.0[..k]].concat())
+    }
+
+    /// Strictly less than all its rotations: the representative of an aperiodic necklace.
+    fn is_lyndon(&self) -> bool {
+        self.rotations().all(|rotation| self.0 < rotation)
+    }
+
+    fn least_rotation(&self) -> Word {
+        Word(self.rotations().chain([self.0.clone()]).min().unwrap_or_default())
+    }
+
+    /// The word with `ε` replaced by `m-1-ε`.
+    fn mirrored(&self, letters: usize) -> Word {
+        Word(self.0.iter().map(|&letter| letters as u8 - 1 - letter).collect())
+    }
+}
+
+impl fmt::Display for Word {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.iter().try_for_each(|letter| write!(f, "{letter}"))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn texts(mirrored: bool) -> Vec<String> {
+        Word::necklaces(2, 4, mirrored).iter().map(Word::to_string).collect()
+    }
+
+    #[test]
+    fn binary_necklaces_up_to_length_four() {
+        assert_eq!(texts(false), ["0", "1", "01", "001", "011", "0001", "0011", "0111"]);
+        assert_eq!(texts(true), ["0", "01", "001", "0001", "0011"]);
+    }
+
+    /// Witt's formula: 2, 1, 2, 3, 6, 9, 18, 30 aperiodic binary necklaces.
+    #[test]
+    fn as_many_as_witt_says() {
+        let all = Word::necklaces(2, 8, false);
+        let counts: Vec<usize> =
+            (1..=8).map(|l| all.iter().filter(|w| w.letters().len() == l).count()).collect();
+        assert_eq!(counts, [2, 1, 2, 3, 6, 9, 18, 30]);
+    }
+}
