@@ -147,7 +147,8 @@ impl Real {
 
     /// The order of two numbers.
     pub fn compare(&self, other: &Self, work: &mut Work) -> Check<Ordering> {
-        work.spend(20)?;
+        let bits = |x: &Self| rational_bits(x.bracket().0).max(rational_bits(x.bracket().1));
+        work.products(4, bits(self), bits(other))?;
         if let Some(order) = self.separated(other) {
             return Ok(order);
         }

@@ -5,6 +5,7 @@ mod common;
 use std::time::{Duration, Instant};
 
 use common::{FOUR_POINT, certificate, constant_family, four_point, nothing};
+use refinable_algebra::Integer;
 use refinable_certificate::{Certificate, Unreadable, verify};
 use serde_json::{Value, json};
 
@@ -209,6 +210,15 @@ fn bombs() {
     let far = json!({"kind": "word", "pencil": "parameter", "word": "01".repeat(16),
         "from": long(1), "to": long(2)});
     let _ = survive_value(&lemma(far));
+    // Rational numbers that agree for thousands of steps of their continued fractions.
+    let (mut a, mut b) = (Integer::from(1), Integer::from(1));
+    for _ in 0..9000 {
+        (a, b) = (b.clone(), a + b);
+    }
+    let (c, d) = (&a + &b, &a + &b * 2);
+    let norm =
+        json!({"kind": "norm", "level": 1, "from": format!("{a}/{b}"), "to": format!("{c}/{d}")});
+    assert!(survive_value(&lemma(norm)).is_err());
     // A norm with long numbers, and one that is one at an end.
     let fraction = |i: usize| format!("{}/{}", long(i), long(i + 1));
     let norm = json!({"kind": "norm", "level": 12, "from": fraction(1), "to": fraction(3)});
