@@ -13,10 +13,10 @@ fn main() {
     println!("time {:?}", t.elapsed());
     let r = match r { Ok(r) => r, Err(e) => { println!("error {e}"); return } };
     println!("proved {}", r.proved.display("x"));
-    println!("refuted {}", r.refuted.display("x"));
-    println!("undecided {}", r.undecided().display("x"));
+    for e in r.refuted.ends() { println!("end {} degree {:?}", e.decimal(10), e.polynomial().degree()); }  if std::env::var("R").is_ok() { println!("refuted {}", r.refuted.display("x")); }
+    for i in r.undecided().intervals() { println!("undecided {:?} {:?}", i.lower.number().map(|x| x.decimal(10)), i.upper.number().map(|x| x.decimal(10))); }
     println!("points {:?}", r.points.iter().map(|(x, v)| format!("{} {v:?}", x.decimal(8))).collect::<Vec<_>>());
-    let c = r.certificate.unwrap();
+    let c = r.certificate;
     for l in &c.lemmas {
         match l {
             Lemma::Polytope(p) => print!("P {:?} {}v; ", p.leading.iter().map(|l| format!("{}{}", l.sign, l.word)).collect::<Vec<_>>(), p.vertices.len()),

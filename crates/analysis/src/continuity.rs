@@ -2,15 +2,17 @@
 
 use refinable_algebra::{GcdDomain, Integer, Parameter, Polynomial, Rational, Ring};
 use refinable_certificate::{
-    Certificate, Conclusion, FORMAT, Interval, Lemma, Number, Pencil, Polytope, VERSION, verify,
+    Certificate, Conclusion, End, FORMAT, Interval, Lemma, Number, Pencil, Polytope, VERSION, verify,
 };
 use refinable_reals::{Bound, RealAlgebraic, Region, real_roots};
 use refinable_scheme::{Diagnostic, Normalised};
-use refinable_spectral::{Constant, Division, Options, certificate_end, decide, divide};
+use refinable_spectral::{
+    Constant, Division, Options, certificate_end, decide, divide, real_algebraic,
+};
 
 use crate::contractivity::{Work, level_sets};
 use crate::line::Line;
-use crate::stability::{Instability, instability};
+use crate::stability::{Instability, instability, reduction};
 
 /// How sharp a range is to be.
 #[derive(Clone, Debug)]
@@ -56,10 +58,27 @@ pub struct ContinuityRange {
     /// Values apart from the intervals around them, ascending.
     pub points: Vec<(RealAlgebraic, PointVerdict)>,
     /// The proof, checked.
-    pub certificate: Option<Certificate>,
+    pub certificate: Certificate,
 }
 
 impl ContinuityRange {
+    /// A word whose product refutes C^n at a value of the line's own parameter; `None` if the reason is
+    /// another, or the family runs along a curve.
+    pub fn reason_at(&self, value: &Rational) -> Option<&str> {
+        let here = RealAlgebraic::from(value.clone());
+        let family = &self.certificate.family;
+        let contains = |from: &Option<End>, to: &Option<End>| {
+            from.as_ref().is_none_or(|end| real_algebraic(end) <= here)
+                && to.as_ref().is_none_or(|end| here <= real_algebraic(end))
+        };
+        self.certificate.lemmas.iter().find_map(|lemma| match lemma {
+            Lemma::Word { word, from, to, .. } if contains(from, to) && family.curve.is_none() => {
+                Some(word.as_str())
+            }
+            _ => None,
+        })
+    }
+
     /// What is neither proved nor refuted, poles aside.
     pub fn undecided(&self) -> Region {
         let poles = self.points.iter().filter(|(_, v)| *v == PointVerdict::Pole);
@@ -67,9 +86,9 @@ impl ContinuityRange {
         self.proved.union(&self.refuted).union(&poles).complement()
     }
 
-    /// Whether nothing is left undecided.
+    /// Whether every end is exact: nothing is left undecided but, perhaps, isolated values.
     pub fn is_exact(&self) -> bool {
-        self.undecided().is_empty()
+        self.undecided().intervals().iter().all(|interval| interval.as_point().is_some())
     }
 }
 
@@ -91,41 +110,141 @@ pub fn continuity_range(
     continuity: usize,
     sharpness: &Sharpness,
 ) -> Result<ContinuityRange, Diagnostic> {
-    let line = Line::new(name, mask).ok_or_else(|| {
+    let line = line_of(name, mask)?;
+    let mut proof = Proof::new(&line, line.order(), continuity, sharpness);
+    proof.search();
+    ContinuityRange::of(&line, parameter, continuity, proof.certificate())
+}
+
+/// The range that an earlier certificate of the same theorem proves; `None` if it is about something
+/// else or does not hold.
+pub fn certified_range(
+    mask: &Normalised,
+    parameter: &Parameter,
+    continuity: usize,
+    certificate: &Certificate,
+) -> Option<ContinuityRange> {
+    let line = Line::new(&certificate.family.name, mask)?;
+    let same = certificate.family == line.family(line.order());
+    let range = || ContinuityRange::of(&line, parameter, continuity, certificate.clone()).ok();
+    if same { range() } else { None }
+}
+
+fn line_of(name: &str, mask: &Normalised) -> Result<Line, Diagnostic> {
+    Line::new(name, mask).ok_or_else(|| {
         Diagnostic::new("parameters", "the family does not run along a line of masks")
             .with_hint("norms up to a level apply to every family: --level L")
-    })?;
-    let order = line.order();
-    let mut proof = Proof::new(&line, order, continuity, sharpness);
-    if order > continuity {
-        proof.divide();
-    } else if order > 0 {
-        proof.special_values();
-    }
-    let certificate = proof.certificate();
-    if let Err(invalid) = verify(&certificate) {
-        let message = format!("the certificate found does not hold: {invalid}");
-        return Err(Diagnostic::new("certificate", message));
-    }
-    let poles = match line.substitution() {
-        Some((_, denominator)) if !denominator.is_constant() => roots(&denominator.cleared().1),
-        _ => Vec::new(),
-    };
-    let pull_back = |x: &RealAlgebraic| line.pull_back(&Region::point(x.clone())).ends();
-    let mut points: Vec<(RealAlgebraic, PointVerdict)> =
-        poles.into_iter().map(|t| (t, PointVerdict::Pole)).collect();
-    for (x, verdict) in &proof.points {
-        points.extend(pull_back(x).into_iter().map(|t| (t, *verdict)));
-    }
-    points.sort_by(|a, b| a.0.cmp(&b.0));
-    Ok(ContinuityRange {
-        continuity,
-        parameter: parameter.clone(),
-        proved: line.pull_back(&proof.proved),
-        refuted: line.pull_back(&proof.refuted),
-        points,
-        certificate: Some(certificate),
     })
+}
+
+impl ContinuityRange {
+    /// What a certificate about the line proves, in the parameter of the family.
+    fn of(
+        line: &Line,
+        parameter: &Parameter,
+        continuity: usize,
+        certificate: Certificate,
+    ) -> Result<Self, Diagnostic> {
+        check(&certificate)?;
+        let Conclusion::Continuity { continuity: n, proved, refuted } = &certificate.conclusion else {
+            return Err(Diagnostic::new("certificate", "it is not about continuity"));
+        };
+        if *n != continuity {
+            return Err(Diagnostic::new("certificate", format!("it is about C^{n}")));
+        }
+        let region = |intervals: &[Interval]| line.pull_back(&region_of(intervals));
+        let (proved, refuted) = (region(proved), region(refuted));
+        let mut points: Vec<(RealAlgebraic, PointVerdict)> =
+            line.poles().into_iter().map(|t| (t, PointVerdict::Pole)).collect();
+        let isolated = |region: &Region| -> Vec<RealAlgebraic> {
+            let intervals = region.intervals();
+            intervals.iter().filter_map(|i| i.as_point().cloned()).collect()
+        };
+        points.extend(isolated(&proved).into_iter().map(|t| (t, PointVerdict::Proved)));
+        let unstable = line.pull_back(&Region::points(exceptions(&certificate)));
+        let open = proved.union(&refuted).complement();
+        let poles = Region::points(line.poles());
+        for t in isolated(&open.difference(&poles)) {
+            let verdict =
+                if unstable.contains(&t) { PointVerdict::Unstable } else { PointVerdict::Undecided };
+            points.push((t, verdict));
+        }
+        points.sort_by(|a, b| a.0.cmp(&b.0));
+        let parameter = parameter.clone();
+        Ok(ContinuityRange { continuity, parameter, proved, refuted, points, certificate })
+    }
+}
+
+fn check(certificate: &Certificate) -> Result<(), Diagnostic> {
+    verify(certificate).map(drop).map_err(|invalid| {
+        let message = format!("the certificate does not hold: {invalid}");
+        Diagnostic::new("certificate", message)
+    })
+}
+
+/// The values that the certificate excepts from stability.
+fn exceptions(certificate: &Certificate) -> Vec<RealAlgebraic> {
+    let lists = certificate.lemmas.iter().filter_map(|lemma| match lemma {
+        Lemma::Stable { except } => Some(except),
+        _ => None,
+    });
+    lists.flatten().map(real_algebraic).collect()
+}
+
+/// The union of the intervals of a certificate that has been checked.
+pub fn region_of(intervals: &[Interval]) -> Region {
+    let bound = |end: &Option<End>, closed: bool| match end {
+        None => Bound::Infinite,
+        Some(end) if closed => Bound::Closed(real_algebraic(end)),
+        Some(end) => Bound::Open(real_algebraic(end)),
+    };
+    Region::union_of(intervals.iter().map(|interval| {
+        let lower = bound(&interval.from, interval.ends.starts_with('['));
+        Region::interval(lower, bound(&interval.to, interval.ends.ends_with(']')))
+    }))
+}
+
+/// C^n of a scheme without free parameters, with its certificate.
+///
+/// # Errors
+/// Code `parameters` if a parameter is free.
+pub fn continuity_at(
+    name: &str,
+    mask: &Normalised,
+    continuity: usize,
+    sharpness: &Sharpness,
+) -> Result<(PointVerdict, Certificate), Diagnostic> {
+    let line = line_of(name, mask)?;
+    if let Some(parameter) = line.parameter() {
+        let hint = format!("set it: --set {parameter}=VALUE");
+        return Err(Diagnostic::new("parameters", format!("{parameter} is free")).with_hint(hint));
+    }
+    let mut proof = Proof::new(&line, line.order(), continuity, sharpness);
+    proof.search();
+    let certificate = proof.certificate();
+    check(&certificate)?;
+    Ok((verdict_of(&certificate), certificate))
+}
+
+/// The verdict that an earlier certificate of the same theorem proves.
+pub fn certified_verdict(
+    mask: &Normalised,
+    continuity: usize,
+    certificate: &Certificate,
+) -> Option<PointVerdict> {
+    let line = Line::new(&certificate.family.name, mask)?;
+    let about = matches!(&certificate.conclusion,
+        Conclusion::Continuity { continuity: n, .. } if *n == continuity);
+    let same = about && certificate.family == line.family(line.order());
+    (same && verify(certificate).is_ok()).then(|| verdict_of(certificate))
+}
+
+fn verdict_of(certificate: &Certificate) -> PointVerdict {
+    match &certificate.conclusion {
+        Conclusion::Continuity { proved, .. } if !proved.is_empty() => PointVerdict::Proved,
+        Conclusion::Continuity { refuted, .. } if !refuted.is_empty() => PointVerdict::Refuted,
+        _ => PointVerdict::Undecided,
+    }
 }
 
 /// A proof in the making, in the variable `x` of the line.
@@ -136,7 +255,6 @@ struct Proof<'a> {
     sharpness: &'a Sharpness,
     proved: Region,
     refuted: Region,
-    points: Vec<(RealAlgebraic, PointVerdict)>,
     lemmas: Vec<Lemma>,
 }
 
@@ -149,8 +267,19 @@ impl<'a> Proof<'a> {
             sharpness,
             proved: Region::empty(),
             refuted: Region::empty(),
-            points: Vec::new(),
             lemmas: Vec::new(),
+        }
+    }
+
+    /// Whichever way applies.
+    fn search(&mut self) {
+        let constant = self.line.parts().1.is_zero();
+        if self.order > self.continuity && !constant {
+            self.divide();
+        } else if self.order > self.continuity {
+            self.only_member();
+        } else if self.order > 0 {
+            self.special_values();
         }
     }
 
@@ -158,9 +287,6 @@ impl<'a> Proof<'a> {
     fn divide(&mut self) {
         let bound = bound(self.line, self.order, self.continuity);
         let pencil = self.line.pencil(self.order, &bound);
-        if pencil.is_constant() {
-            return self.whole_line();
-        }
         let norms = self.norm_intervals();
         let known: Vec<(Rational, Rational)> =
             norms.iter().map(|(_, a, b)| (a.clone(), b.clone())).collect();
@@ -178,13 +304,19 @@ impl<'a> Proof<'a> {
         self.restrict_to_stable();
     }
 
-    /// A family whose mask does not depend on the parameter is C^n everywhere or nowhere.
-    fn whole_line(&mut self) {
+    /// A scheme without a parameter, placed at zero.
+    fn only_member(&mut self) {
         let zero = Rational::zero();
-        let (verdict, _) = self.at(&zero);
+        let (verdict, lemmas) = self.at(&zero);
+        self.record(&zero.into(), verdict);
+        self.lemmas.extend(lemmas);
+    }
+
+    fn record(&mut self, x: &RealAlgebraic, verdict: PointVerdict) {
+        let point = Region::point(x.clone());
         match verdict {
-            PointVerdict::Proved => self.proved = Region::point(zero.into()),
-            PointVerdict::Refuted => self.refuted = Region::point(zero.into()),
+            PointVerdict::Proved => self.proved = self.proved.union(&point),
+            PointVerdict::Refuted => self.refuted = self.refuted.union(&point),
             _ => {}
         }
     }
@@ -220,13 +352,16 @@ impl<'a> Proof<'a> {
             self.refuted = Region::empty();
             return;
         };
-        for x in &exceptions {
-            if self.refuted.contains(x) {
-                self.points.push((x.clone(), PointVerdict::Unstable));
-            }
-        }
+        let doubtful: Vec<RealAlgebraic> =
+            exceptions.iter().filter(|x| self.refuted.contains(x)).cloned().collect();
         self.refuted = self.refuted.difference(&Region::points(exceptions.iter().cloned()));
         self.lemmas.push(Lemma::Stable { except: exceptions.iter().map(certificate_end).collect() });
+        for x in doubtful {
+            if let Some(lemma) = x.as_rational().and_then(|x| self.reduced(x)) {
+                self.lemmas.push(lemma);
+                self.record(&x, PointVerdict::Refuted);
+            }
+        }
     }
 
     /// `n ≥ k`: only where `σ^(n+1)` divides can the scheme be C^n.
@@ -244,13 +379,7 @@ impl<'a> Proof<'a> {
                 Some(rational) => self.at(rational),
                 None => (PointVerdict::Undecided, Vec::new()),
             };
-            match verdict {
-                PointVerdict::Proved => self.proved = self.proved.union(&Region::point(x.clone())),
-                PointVerdict::Refuted => self.refuted = self.refuted.union(&Region::point(x.clone())),
-                _ => {}
-            }
-            self.points.retain(|(point, _)| point != x);
-            self.points.push((x.clone(), verdict));
+            self.record(x, verdict);
             self.lemmas.extend(lemmas);
         }
     }
@@ -274,13 +403,7 @@ impl<'a> Proof<'a> {
                 (PointVerdict::Proved, lemma(vec![Lemma::Polytope(polytope)]))
             }
             Constant::Expanding(word) => {
-                let end = Some(certificate_end(&x.clone().into()));
-                let word = Lemma::Word {
-                    pencil: Pencil::Parameter,
-                    word: word.to_string(),
-                    from: end.clone(),
-                    to: end,
-                };
+                let word = word_at(x, &word.to_string());
                 let stable = matches!(instability(&member), Instability::At(_));
                 match (self.continuity, stable) {
                     (0, _) => (PointVerdict::Refuted, lemma(vec![word])),
@@ -293,6 +416,31 @@ impl<'a> Proof<'a> {
             }
             Constant::Undecided => (PointVerdict::Undecided, Vec::new()),
         }
+    }
+
+    /// Refutes C^n at a value at which stability fails, by the mask `a q(z) / q(z²)` that generates
+    /// the same space of smoothness.
+    fn reduced(&self, x: &Rational) -> Option<Lemma> {
+        let member = self.line.at(x);
+        let (factor, reduced) = reduction(&member)?;
+        let order = reduced.order();
+        let stable = Lemma::Stable { except: Vec::new() };
+        let reason = if order <= self.continuity {
+            Lemma::Indivisible { order: self.continuity + 1, except: Vec::new() }
+        } else {
+            let pencil = reduced.pencil(order, &bound(&reduced, order, self.continuity));
+            match decide(&pencil, x, &self.sharpness.spectral, &|_| true) {
+                Constant::Expanding(word) => word_at(x, &word.to_string()),
+                _ => return None,
+            }
+        };
+        let lemma = Lemma::Reduced {
+            value: Number(x.clone()),
+            factor: factor.coefficients().iter().cloned().map(Number).collect(),
+            order,
+            lemmas: vec![reason, stable],
+        };
+        self.holds(vec![lemma.clone()]).then_some(lemma)
     }
 
     fn accepts(&self, line: &Line, order: usize, polytope: &Polytope) -> bool {
@@ -332,6 +480,12 @@ impl<'a> Proof<'a> {
 /// `m^(k-1-n)`.
 fn bound(line: &Line, order: usize, continuity: usize) -> Rational {
     Rational::from_i64(line.arity() as i64).power((order - 1 - continuity) as u32)
+}
+
+/// The word's product has spectral radius at least one at a single value.
+fn word_at(x: &Rational, word: &str) -> Lemma {
+    let end = Some(End::Rational(Number(x.clone())));
+    Lemma::Word { pencil: Pencil::Parameter, word: word.into(), from: end.clone(), to: end }
 }
 
 /// Short rational ends inside an open interval, a twentieth of its length from its own.

@@ -25,6 +25,7 @@ mod stability;
 mod norm;
 mod piecewise;
 mod power;
+mod regularity;
 mod sublevel;
 
 pub use budget::Budget;
@@ -32,7 +33,12 @@ pub use classification::{Classification, classify};
 pub use contractivity::{NormRange, Work, norm_range, norm_values};
 pub use degrees::{Degrees, GenerationDegree, ReproductionDegree, Stratum, degrees};
 pub use difference::{ClearedSymbol, DifferenceSymbol};
-pub use continuity::{ContinuityRange, PointVerdict, Sharpness, continuity_range};
+pub use continuity::{
+    ContinuityRange, PointVerdict, Sharpness, certified_range, certified_verdict, continuity_at,
+    continuity_range, region_of,
+};
 pub use line::Line;
 pub use norm::{Comparison, Norm, NormRow};
 pub use piecewise::RowCondition;
+pub use regularity::{Regularity, regularity};
+pub use refinable_spectral::Options;

@@ -4,7 +4,7 @@ use refinable_algebra::{
     Integer, Laurent, Matrix, Parameter, Polynomial, Rational, Ring, clear_denominators,
 };
 use refinable_certificate::{Curve, Family, Number, Quotient};
-use refinable_reals::Region;
+use refinable_reals::{RealAlgebraic, Region, real_roots};
 use refinable_scheme::Normalised;
 use refinable_spectral::Pencil;
 
@@ -126,6 +126,22 @@ impl Line {
         }
     }
 
+    /// The same line with another symbol, for a line without direction.
+    pub(crate) fn with_symbol(&self, symbol: Laurent<Rational>) -> Self {
+        Line { base: symbol, ..self.clone() }
+    }
+
+    /// The values of the family's parameter at which there is no scheme.
+    pub fn poles(&self) -> Vec<RealAlgebraic> {
+        match &self.curve {
+            Some(curve) if !curve.denominator.is_constant() => {
+                let roots = real_roots(&curve.denominator.cleared().1);
+                roots.iter().map(RealAlgebraic::simplified).collect()
+            }
+            _ => Vec::new(),
+        }
+    }
+
     /// The mask at `x`.
     pub fn mask_at(&self, x: &Rational) -> Laurent<Rational> {
         self.base.plus(&self.direction.scaled(x))
@@ -180,6 +196,13 @@ impl Line {
             (0..m).map(|e| Matrix::from_fn(d, d, |i, j| entry(e, i, j))).collect()
         };
         Pencil::new(matrices(&self.base), matrices(&self.direction))
+    }
+
+    /// The pencil `x A_ε` of a line without direction.
+    pub(crate) fn scaled_pencil(&self, order: usize) -> Pencil {
+        let nothing = self.with_symbol(Laurent::new(0, Vec::new()));
+        let turned = Line { direction: self.base.clone(), ..nothing };
+        turned.pencil(order, &Rational::one())
     }
 
     /// The lowest exponent and the number of coefficients on the whole line.

@@ -3,7 +3,7 @@
 use refinable_algebra::{Rational, integer};
 
 use crate::family::Scheme;
-use crate::lemma::Fact;
+use crate::lemma::{Fact, Setting};
 use crate::line::{Cut, Span};
 use crate::model::{Conclusion, End, Interval, Pencil};
 use crate::number::Number;
@@ -31,12 +31,30 @@ pub(crate) fn check(
     }
 }
 
+/// What follows from the facts inside a `reduced` lemma.
+pub(crate) fn refute(setting: &Setting, facts: &[Fact], work: &mut Work) -> Check<Fact> {
+    let (Some(value), Some(continuity)) = (setting.value, setting.continuity) else {
+        return fail("the conclusion is not about continuity");
+    };
+    let point = Span::point(value);
+    let mut known = Known::default();
+    for fact in facts {
+        known.add(setting.scheme, continuity, fact, &point, work)?;
+    }
+    let expands = point.is_covered_by(&known.expansion, work)?;
+    ensure(expands, "the lemmas inside show neither expansion nor indivisibility")?;
+    let stable = point.is_covered_by(&known.stable, work)?;
+    ensure(stable, "the lemmas inside do not show stability")?;
+    Ok(Fact::Refuted(value.clone()))
+}
+
 /// Sets of parameter values.
 #[derive(Default)]
 struct Known {
     contraction: Vec<Span>,
-    /// Where continuity fails if the shifts are stable.
+    /// Where continuity fails if the criterion of contraction is sharp.
     expansion: Vec<Span>,
+    /// Where it is sharp, or continuity is known to fail.
     stable: Vec<Span>,
 }
 
@@ -87,6 +105,10 @@ impl Known {
                 }
             }
             Fact::Stable(except) => self.stable.extend(within(place, except, work)?),
+            Fact::Refuted(value) => {
+                self.expansion.push(Span::point(value));
+                self.stable.push(Span::point(value));
+            }
         }
         Ok(())
     }

@@ -1,4 +1,4 @@
-//! Cyclotomic polynomials of odd order.
+//! Cyclotomic polynomials.
 
 use refinable_algebra::{Integer, Polynomial, Ring, integer};
 
@@ -8,7 +8,18 @@ use crate::work::{Check, Work};
 ///
 /// For odd `r`, `φ(r) ≥ √r`: so `r ≤ bound²`.
 pub(crate) fn odd_orders(bound: usize, work: &mut Work) -> Check<Vec<usize>> {
-    let last = bound * bound;
+    orders(3, bound * bound, bound, work)
+}
+
+/// The even `r` with `φ(r) ≤ bound`.
+///
+/// For even `r`, `φ(r) ≥ √(r/2)`: so `r ≤ 2 bound²`.
+pub(crate) fn even_orders(bound: usize, work: &mut Work) -> Check<Vec<usize>> {
+    orders(2, 2 * bound * bound, bound, work)
+}
+
+/// The numbers `r` from `first` to `last` in steps of two with `φ(r) ≤ bound`.
+fn orders(first: usize, last: usize, bound: usize, work: &mut Work) -> Check<Vec<usize>> {
     work.spend(20 * last as u64)?;
     let mut totients: Vec<usize> = (0..=last).collect();
     for p in 2..=last {
@@ -18,7 +29,7 @@ pub(crate) fn odd_orders(bound: usize, work: &mut Work) -> Check<Vec<usize>> {
             }
         }
     }
-    Ok((3..=last).step_by(2).filter(|&r| totients[r] <= bound).collect())
+    Ok((first..=last).step_by(2).filter(|&r| totients[r] <= bound).collect())
 }
 
 /// `Φ_r = Π_{d | r} (1 - z^(r/d))^μ(d)` for `r > 1`, as a power series up to its degree.
@@ -79,5 +90,11 @@ mod tests {
         assert_eq!(cyclotomic(105, work).unwrap().coefficient(7), integer(-2));
         assert_eq!(odd_orders(6, work).unwrap(), [3, 5, 7, 9]);
         assert_eq!(odd_orders(1, work).unwrap(), [0; 0]);
+        assert_eq!(cyclotomic(2, work).unwrap(), poly(&[1, 1]));
+        assert_eq!(cyclotomic(8, work).unwrap(), poly(&[1, 0, 0, 0, 1]));
+        assert_eq!(cyclotomic(12, work).unwrap(), poly(&[1, 0, -1, 0, 1]));
+        assert_eq!(even_orders(2, work).unwrap(), [2, 4, 6]);
+        assert_eq!(even_orders(4, work).unwrap(), [2, 4, 6, 8, 10, 12]);
+        assert_eq!(even_orders(0, work).unwrap(), [0; 0]);
     }
 }

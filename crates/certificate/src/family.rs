@@ -1,9 +1,10 @@
 //! The symbol of a family, its difference symbol and its matrices, in integers.
 
 use refinable_algebra::{
-    GcdDomain, Integer, Polynomial, Rational, Ring, clear_denominators, integer,
+    Domain, GcdDomain, Integer, Polynomial, Rational, Ring, clear_denominators, integer,
 };
 
+use crate::gcd::primitive;
 use crate::model::{Coefficients, Curve, Family};
 use crate::work::{Check, Work, ensure, fail, largest_bits, polynomial_bits, rational_bits};
 
@@ -69,6 +70,27 @@ impl AffineSymbol {
         Some(quotient)
     }
 
+    /// `a(z) q(z)/q(z²)` for a symbol without parameter, as many coefficients fewer as `q` has
+    /// degrees.
+    fn reduced(self, factor: &Polynomial<Integer>, work: &mut Work) -> Check<Self> {
+        let q = primitive(factor, work)?;
+        let regular = !q.coefficient(0).is_zero() && !q.evaluate(&integer(1)).is_zero();
+        ensure(regular, "the factor vanishes at zero or at one")?;
+        let degree = q.degree().unwrap_or(0);
+        ensure(degree < self.p.len(), "the factor does not divide")?;
+        let squares = Polynomial::new(with_squares(q.coefficients()));
+        let bits = largest_bits(&self.p) + polynomial_bits(&q);
+        work.products(2 * self.p.len() * self.p.len(), bits, bits)?;
+        // The divisor is primitive: the quotient has integer coefficients if it is one.
+        let Some(quotient) = Polynomial::new(self.p.clone()).times(&q).divide_exactly(&squares)
+        else {
+            return fail("the factor does not divide");
+        };
+        let mut p = quotient.coefficients().to_vec();
+        p.resize(self.p.len() - degree, Integer::zero());
+        Ok(AffineSymbol { q: vec![Integer::zero(); p.len()], p, denominator: self.denominator })
+    }
+
     /// Whether `c_i = c_{M-i}` identically in the parameter.
     pub fn is_symmetric(&self) -> bool {
         self.p.iter().eq(self.p.iter().rev()) && self.q.iter().eq(self.q.iter().rev())
@@ -78,6 +100,15 @@ impl AffineSymbol {
     pub fn is_constant(&self) -> bool {
         self.q.iter().all(Ring::is_zero)
     }
+}
+
+/// `p(z²)`.
+pub(crate) fn with_squares(p: &[Integer]) -> Vec<Integer> {
+    let mut spread = vec![Integer::zero(); (2 * p.len()).saturating_sub(1)];
+    for (i, c) in p.iter().enumerate() {
+        spread[2 * i] = c.clone();
+    }
+    spread
 }
 
 /// `p / (1 + z + … + z^(m-1))`, from `q (1 - z^m) = p (1 - z)`.
@@ -126,6 +157,19 @@ impl Scheme {
     /// The member at one value of the parameter, with an order of its own.
     pub fn at(&self, t: &Rational, order: usize, work: &mut Work) -> Check<Self> {
         Scheme::of_symbol(self.arity, order, self.symbol.at(t, work)?, true, work)
+    }
+
+    /// The member at one value of the parameter, its symbol multiplied by `q(z)/q(z²)`.
+    pub fn reduced(
+        &self,
+        t: &Rational,
+        factor: &Polynomial<Integer>,
+        order: usize,
+        work: &mut Work,
+    ) -> Check<Self> {
+        ensure(self.arity == 2, "a `reduced` lemma is for arity two only")?;
+        let symbol = self.symbol.at(t, work)?.reduced(factor, work)?;
+        Scheme::of_symbol(self.arity, order, symbol, true, work)
     }
 
     fn of_symbol(

@@ -23,8 +23,10 @@ pub(crate) enum Fact {
         /// The exceptions.
         except: Vec<Real>,
     },
-    /// The shifts are stable but for the exceptions.
+    /// The criterion of contraction is sharp but for the exceptions.
     Stable(Vec<Real>),
+    /// The scheme is not C^n at the value.
+    Refuted(Rational),
 }
 
 /// What lemmas are about: a family, or one member of it.
@@ -48,11 +50,12 @@ pub(crate) fn kind(lemma: &Lemma) -> &'static str {
         Lemma::Stable { .. } => "stable",
         Lemma::Nonnegative { .. } => "nonnegative",
         Lemma::At { .. } => "at",
+        Lemma::Reduced { .. } => "reduced",
     }
 }
 
 impl Setting<'_> {
-    /// Checks a lemma, which is not an `at`.
+    /// Checks a lemma, which is neither an `at` nor a `reduced`.
     pub fn check(&self, lemma: &Lemma, work: &mut Work) -> Check<Fact> {
         match lemma {
             Lemma::Norm { level, from, to } => self.check_norm(*level, [&from.0, &to.0], work),
@@ -63,12 +66,8 @@ impl Setting<'_> {
             Lemma::Indivisible { order, except } => self.check_indivisible(*order, except, work),
             Lemma::Stable { except } => {
                 let except = reals(except, work)?;
-                let except = if self.scheme.constant {
-                    ensure(except.is_empty(), "an exception but no parameter")?;
-                    except
-                } else {
-                    except
-                };
+                let listed = !self.scheme.constant || except.is_empty();
+                ensure(listed, "an exception but no parameter")?;
                 stability::check(self.scheme, &except, work)?;
                 Ok(Fact::Stable(except))
             }
@@ -77,7 +76,9 @@ impl Setting<'_> {
                 let span = nonnegative::check(self.scheme, end, work)?;
                 Ok(Fact::Contraction(Pencil::Scale, span))
             }
-            Lemma::At { .. } => fail("an `at` lemma inside another"),
+            Lemma::At { .. } | Lemma::Reduced { .. } => {
+                fail("an `at` or `reduced` lemma inside another")
+            }
         }
     }
 
@@ -89,13 +90,18 @@ impl Setting<'_> {
         }
     }
 
-    /// Inside an `at`, the parameter has one value.
+    /// Inside an `at` or a `reduced`, the parameter has one value.
     fn check_value(&self, pencil: Pencil, ends: [Option<&Real>; 2], work: &mut Work) -> Check<()> {
         let (Some(value), Pencil::Parameter) = (self.value, pencil) else { return Ok(()) };
         let value = Real::Rational(value.clone());
         for end in ends {
-            let Some(end) = end else { return fail("an infinite end inside an `at`") };
-            ensure(end.compare(&value, work)?.is_eq(), "an end that is not the value of the `at`")?;
+            let Some(end) = end else {
+                return fail("an infinite end inside a lemma about one value");
+            };
+            ensure(
+                end.compare(&value, work)?.is_eq(),
+                "an end that is not the value of the lemma around it",
+            )?;
         }
         Ok(())
     }

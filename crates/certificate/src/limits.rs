@@ -1,6 +1,6 @@
 //! What is too large to be looked at.
 
-use refinable_algebra::bit_length;
+use refinable_algebra::{Ring, bit_length};
 
 use crate::family::dimension;
 use crate::model::{
@@ -45,7 +45,7 @@ pub(crate) fn check(certificate: &Certificate) -> Fits {
         }
     }
     let inner = |lemma: &Lemma| match lemma {
-        Lemma::At { lemmas, .. } => 1 + lemmas.len(),
+        Lemma::At { lemmas, .. } | Lemma::Reduced { lemmas, .. } => 1 + lemmas.len(),
         _ => 1,
     };
     let count = certificate.lemmas.iter().map(inner).sum();
@@ -61,7 +61,7 @@ fn at_most(size: usize, limit: usize, what: &'static str) -> Fits {
 fn check_family(family: &Family) -> Fits {
     at_most(family.mask.len(), COEFFICIENTS, "more than 1000 mask coefficients")?;
     check_mask(&family.mask, &Vec::new())?;
-    check_dimension(family, family.order)?;
+    check_dimension(family, 0, family.order)?;
     if let Some(curve) = &family.curve {
         at_most(curve.mask.len(), COEFFICIENTS, "more than 1000 mask coefficients")?;
         check_mask(&curve.mask, &curve.denominator)?;
@@ -87,11 +87,12 @@ fn denominators<'a>(numbers: impl Iterator<Item = &'a Number>) -> Fits {
     if total <= DENOMINATOR_BITS { Ok(()) } else { Err("denominators of more than 4000 digits") }
 }
 
-/// The size of the matrices for an order, as far as arity and order make sense.
-fn check_dimension(family: &Family, order: usize) -> Fits {
+/// The size of the matrices for an order, as far as arity and order make sense; the mask is shorter
+/// by some coefficients.
+fn check_dimension(family: &Family, shorter: usize, order: usize) -> Fits {
     let Some(step) = family.arity.checked_sub(1).filter(|&s| s > 0) else { return Ok(()) };
     let length = order.checked_mul(step);
-    let degree = length.and_then(|n| family.mask.len().checked_sub(1)?.checked_sub(n));
+    let degree = length.and_then(|n| family.mask.len().checked_sub(1 + shorter)?.checked_sub(n));
     let Some(degree) = degree else { return Ok(()) };
     at_most(dimension(degree, family.arity), DIMENSION, "matrices of size above 40")
 }
@@ -122,14 +123,25 @@ fn check_lemma(family: &Family, lemma: &Lemma) -> Fits {
         }
         Lemma::Nonnegative { end } => check_end(end),
         Lemma::At { order, lemmas, .. } => {
-            check_dimension(family, *order)?;
-            let flat = lemmas.iter().all(|lemma| !matches!(lemma, Lemma::At { .. }));
-            if !flat {
-                return Err("an `at` lemma inside another");
-            }
-            lemmas.iter().try_for_each(|lemma| check_lemma(family, lemma))
+            check_dimension(family, 0, *order)?;
+            check_inner(family, lemmas)
+        }
+        Lemma::Reduced { factor, order, lemmas, .. } => {
+            check_polynomial(factor)?;
+            let degree = factor.iter().rposition(|c| !c.0.is_zero()).unwrap_or(0);
+            check_dimension(family, degree, *order)?;
+            check_inner(family, lemmas)
         }
     }
+}
+
+/// The lemmas about one member.
+fn check_inner(family: &Family, lemmas: &[Lemma]) -> Fits {
+    let nested = |lemma: &Lemma| matches!(lemma, Lemma::At { .. } | Lemma::Reduced { .. });
+    if lemmas.iter().any(nested) {
+        return Err("an `at` or `reduced` lemma inside another");
+    }
+    lemmas.iter().try_for_each(|lemma| check_lemma(family, lemma))
 }
 
 fn check_polytope(polytope: &Polytope) -> Fits {

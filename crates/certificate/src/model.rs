@@ -178,9 +178,10 @@ pub enum Lemma {
         /// The parameter values at which it may.
         except: Vec<End>,
     },
-    /// The integer shifts are stable.
+    /// The criterion of contraction is sharp: C^n, `n ≥ 1`, only if the pencil contracts and
+    /// `σ^(n+1)` divides.
     Stable {
-        /// The parameter values at which they may not be.
+        /// The parameter values at which it may not be.
         except: Vec<End>,
     },
     /// A symbol that is non-negative on the unit circle.
@@ -193,6 +194,18 @@ pub enum Lemma {
         /// The parameter value.
         value: Number,
         /// The power of `σ` that divides there.
+        order: usize,
+        /// The lemmas.
+        lemmas: Vec<Lemma>,
+    },
+    /// Lemmas about a mask whose limit function has the same smoothness as that of one member, which
+    /// is not C^n.
+    Reduced {
+        /// The parameter value.
+        value: Number,
+        /// `q`; the symbol of the other mask is `a(z) q(z)/q(z²)`.
+        factor: Coefficients,
+        /// The power of `σ` that divides the other symbol.
         order: usize,
         /// The lemmas.
         lemmas: Vec<Lemma>,

@@ -1,25 +1,81 @@
-//! The lemma `stable`: the integer shifts of the basic limit function are stable (Jia and Wang 1993).
+//! The lemma `stable`: the integer shifts of the basic limit function are stable (Jia and Wang
+//! 1993), or those of another one with the same smoothness and the same joint spectral radius.
 
-use refinable_algebra::{Domain, GcdDomain, Integer, Polynomial, Rational, Ring, integer};
+use refinable_algebra::{Integer, Polynomial, Rational, Ring};
 
 use crate::circle::{Pair, have_no_common_zero};
-use crate::cyclotomic::{cyclotomic, odd_orders};
+use crate::cyclotomic::{cyclotomic, even_orders, odd_orders};
 use crate::determinant::determinant;
-use crate::family::{AffineSymbol, Scheme};
+use crate::family::{AffineSymbol, Scheme, with_squares};
 use crate::real::Real;
 use crate::roots::real_roots;
 use crate::work::{Check, Work, ensure, fail, largest_bits};
 
-/// Checks that the shifts are stable for every parameter value that is not among the exceptions.
+/// Checks that the criterion of contraction is sharp for every parameter value that is not among the
+/// exceptions.
 pub(crate) fn check(scheme: &Scheme, exceptions: &[Real], work: &mut Work) -> Check<()> {
     ensure(scheme.arity == 2, "stability is checked for arity two only")?;
-    let [p, q] = [&scheme.symbol.p, &scheme.symbol.q];
-    let half =
-        |first: usize| [p, q].map(|c| c.iter().skip(first).step_by(2).cloned().collect::<Vec<_>>());
-    let halves = [half(0), half(1)].map(without_zeros);
-    let reason = "two opposite points of the unit circle are zeros of the symbol";
-    check_coprime(halves, scheme.symbol.is_constant(), exceptions, reason, work)?;
+    check_opposite(&scheme.difference, exceptions, work)?;
     check_cycles(scheme, exceptions, work)
+}
+
+/// Checks that the submasks of `c` have no common zero at a root of unity of even order.
+///
+/// Those of `a` have the same common zeros but for `w = 1`.
+fn check_opposite(c: &AffineSymbol, exceptions: &[Real], work: &mut Work) -> Check<()> {
+    let half =
+        |i: usize| [&c.p, &c.q].map(|part| part.iter().skip(i).step_by(2).cloned().collect());
+    let halves: [Pair; 2] = [half(0), half(1)];
+    let degree = if c.is_constant() {
+        Some(c.degree() / 2)
+    } else {
+        let size = halves[0][0].len();
+        work.products(2 * size * size, largest_bits(&c.p), largest_bits(&c.q))?;
+        dependence(&halves.clone().map(|half| half.map(Polynomial::new))).degree()
+    };
+    let Some(degree) = degree else {
+        return fail("could not be checked: opposite zeros that move with the parameter");
+    };
+    for r in even_orders(degree, work)? {
+        check_even_order(r, &halves, exceptions, work)?;
+    }
+    Ok(())
+}
+
+/// `e_0 o_1 - e_1 o_0`, which vanishes where `e_0 + t e_1` and `o_0 + t o_1` do for some `t`.
+fn dependence([[e0, e1], [o0, o1]]: &[[Polynomial<Integer>; 2]; 2]) -> Polynomial<Integer> {
+    e0.times(o1).minus(&e1.times(o0))
+}
+
+/// Checks that two polynomials have no common zero at a primitive `r`-th root of unity `ζ`.
+///
+/// If a polynomial that does not vanish identically at `ζ` vanishes for `t = τ`, and the two are
+/// dependent, then `τ` is an element of `Q(ζ)`, and the resultant vanishes exactly at its conjugates.
+fn check_even_order(
+    r: usize,
+    halves: &[Pair; 2],
+    exceptions: &[Real],
+    work: &mut Work,
+) -> Check<()> {
+    let reason = "the submasks have a common zero at a root of unity of even order";
+    let divisor = cyclotomic(r, work)?;
+    let size = halves[0][0].len();
+    work.products(6 * size * size, largest_bits(halves.iter().flatten().flatten()) + 64, 64)?;
+    let rest = |c: Vec<Integer>| Polynomial::new(c).divide_by_monic(&divisor).1;
+    let rests = halves.clone().map(|half| half.map(rest));
+    let vanishes = |part: &&[Polynomial<Integer>; 2]| part.iter().all(Ring::is_zero);
+    let Some([p, q]) = rests.iter().find(|part| !vanishes(part)) else { return fail(reason) };
+    if q.is_zero() || !dependence(&rests).divide_by_monic(&divisor).1.is_zero() {
+        return Ok(());
+    }
+    let length = p.coefficients().len().max(q.coefficients().len());
+    let part = [p, q].map(|c| (0..length).map(|i| c.coefficient(i)).collect());
+    let divisor = divisor.coefficients().to_vec();
+    let zeros = vec![Integer::zero(); divisor.len()];
+    for root in real_roots(&resultant(&[[divisor, zeros], part], work)?, work)? {
+        ensure(is_among(&root, exceptions, work)?, reason)?;
+    }
+    Ok(())
 }
 
 /// The polynomial without the powers of the variable and the leading coefficients that vanish
@@ -29,33 +85,6 @@ fn without_zeros([p, q]: Pair) -> Pair {
     let first = (0..p.len()).find(|i| !zero(i)).unwrap_or(0);
     let last = (first..p.len()).rev().find(|i| !zero(i)).map_or(first, |i| i + 1);
     [p[first..last].to_vec(), q[first..last].to_vec()]
-}
-
-/// Checks that two polynomials have no common zero on the unit circle but for the exceptions.
-fn check_coprime(
-    parts: [Pair; 2],
-    constant: bool,
-    exceptions: &[Real],
-    reason: &str,
-    work: &mut Work,
-) -> Check<()> {
-    if constant {
-        let origin = Real::Rational(Rational::from(integer(0)));
-        return ensure(have_no_common_zero(&parts, &origin, work)?, reason);
-    }
-    let mut parts = parts;
-    let mut resultant = resultant(&parts, work)?;
-    if resultant.is_zero() {
-        parts = without_common_factor(&parts, reason, work)?;
-        resultant = self::resultant(&parts, work)?;
-        ensure(!resultant.is_zero(), "could not be checked: a common factor of two polynomials")?;
-    }
-    for root in real_roots(&resultant, work)? {
-        if !is_among(&root, exceptions, work)? && !have_no_common_zero(&parts, &root, work)? {
-            return fail(reason);
-        }
-    }
-    Ok(())
 }
 
 fn is_among(x: &Real, exceptions: &[Real], work: &mut Work) -> Check<bool> {
@@ -82,31 +111,6 @@ fn resultant([a, b]: &[Pair; 2], work: &mut Work) -> Check<Polynomial<Integer>> 
     };
     let matrix: Vec<_> = (0..(m + n) * (m + n)).map(entry).collect();
     determinant(m + n, &matrix, varies(a) * n + varies(b) * m, work)
-}
-
-/// Both polynomials over their greatest common divisor, which must not depend on the parameter and
-/// have no zero on the unit circle.
-fn without_common_factor([a, b]: &[Pair; 2], reason: &str, work: &mut Work) -> Check<[Pair; 2]> {
-    let two_variables = |[p, q]: &Pair| {
-        let pairs = p.iter().zip(q);
-        Polynomial::new(pairs.map(|(p, q)| Polynomial::new(vec![p.clone(), q.clone()])).collect())
-    };
-    let (a, b) = (two_variables(a), two_variables(b));
-    let size = a.coefficients().len() + b.coefficients().len();
-    let bits = largest_bits(a.coefficients().iter().flat_map(Polynomial::coefficients));
-    work.products(size.pow(4), bits * size as u64, bits * size as u64)?;
-    let common = a.gcd(&b);
-    let fixed = common.coefficients().iter().all(Polynomial::is_constant);
-    ensure(fixed, "could not be checked: a common factor of two polynomials has the parameter")?;
-    let constants: Vec<Integer> = common.coefficients().iter().map(|c| c.coefficient(0)).collect();
-    let zeros = vec![Integer::zero(); constants.len()];
-    let origin = Real::Rational(Rational::from(integer(0)));
-    ensure(have_no_common_zero(&[[constants, zeros]], &origin, work)?, reason)?;
-    let pair = |p: Polynomial<Polynomial<Integer>>| -> Pair {
-        let part = |k: usize| p.coefficients().iter().map(|c| c.coefficient(k)).collect();
-        [part(0), part(1)]
-    };
-    Ok([pair(a.quotient(&common)), pair(b.quotient(&common))])
 }
 
 /// Checks that no orbit of a root of unity `ζ` of odd order `r ≥ 3` under squaring consists of zeros
@@ -222,30 +226,15 @@ fn without_zeros_at_one([mut p, mut q]: Pair) -> Pair {
     [p, q]
 }
 
-/// `p(z²)`.
-fn with_squares(p: &[Integer]) -> Vec<Integer> {
-    let mut spread = vec![Integer::zero(); (2 * p.len()).saturating_sub(1)];
-    for (i, c) in p.iter().enumerate() {
-        spread[2 * i] = c.clone();
-    }
-    spread
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::model::{Certificate, End, Root};
     use crate::number::Number;
     use crate::work::Reason;
-    use refinable_algebra::parse_rational;
+    use refinable_algebra::{integer, parse_rational};
 
-    /// `c(-z)` is, up to a factor, a factor of degree 8 of the 17th cyclotomic polynomial at
-    /// `t = ±√17`: an orbit of eight roots of unity, though the degree of `c` is less than
-    /// `φ(17) = 16`.
-    #[test]
-    fn an_orbit_at_an_irrational_parameter() {
-        let half = [["1", "0"], ["1/2", "1/2"], ["2", "0"], ["-1", "0"], ["-3/2", "-1/2"]];
-        let mask: Vec<_> = half.iter().chain(half.iter().rev()).collect();
+    fn scheme(mask: &serde_json::Value) -> Scheme {
         let text = serde_json::json!({
             "format": "refinable-certificate", "version": 1, "lemmas": [],
             "family": {
@@ -254,15 +243,58 @@ mod tests {
             "conclusion": {"kind": "continuity", "continuity": 0, "proved": [], "refuted": []},
         });
         let family = Certificate::read(text.to_string().as_bytes()).unwrap().family;
-        let work = &mut Work::new();
-        let scheme = Scheme::new(&family, work).unwrap();
+        Scheme::new(&family, &mut Work::new()).unwrap()
+    }
+
+    /// The root of a polynomial between two numbers.
+    fn root(polynomial: [&str; 3], from: &str, to: &str) -> Real {
         let number = |text: &str| Number(parse_rational(text).unwrap());
-        let root = |from: &str, to: &str| Root {
-            root_of: ["-17", "0", "1"].map(number).to_vec(),
-            between: [number(from), number(to)],
-        };
-        let ends = [root("4", "5"), root("-5", "-4")].map(End::Algebraic);
-        let [a, b] = ends.map(|end| Real::new(&end, work).unwrap());
+        let root_of = polynomial.map(number).to_vec();
+        let root = Root { root_of, between: [number(from), number(to)] };
+        Real::new(&End::Algebraic(root), &mut Work::new()).unwrap()
+    }
+
+    /// `c(z) = (z² - 1)(z⁴ - t z² + 1) + z (z⁸ + 1)/2`: the submasks have the common zeros `w`, eighth
+    /// roots of unity, with `w + 1/w = t = ±√2`.
+    #[test]
+    fn opposite_zeros_at_an_irrational_parameter() {
+        let pairs = [
+            ["-1", "0"],
+            ["-1/2", "0"],
+            ["3/2", "1"],
+            ["1", "1"],
+            ["-1", "-1"],
+            ["-1", "-1"],
+            ["1", "0"],
+            ["1", "0"],
+            ["0", "0"],
+            ["1/2", "0"],
+            ["1/2", "0"],
+        ];
+        let scheme = scheme(&serde_json::json!(pairs));
+        let square = ["-2", "0", "1"];
+        let [a, b] = [root(square, "1", "2"), root(square, "-2", "-1")];
+        let work = &mut Work::new();
+        for listed in [vec![], vec![a.clone()], vec![b.clone()]] {
+            let Err(Reason(reason)) = check_opposite(&scheme.difference, &listed, work) else {
+                panic!("an exception is missing")
+            };
+            assert!(reason.contains("of even order"), "{reason}");
+        }
+        assert_eq!(check_opposite(&scheme.difference, &[a, b], work), Ok(()));
+    }
+
+    /// `c(-z)` is, up to a factor, a factor of degree 8 of the 17th cyclotomic polynomial at
+    /// `t = ±√17`: an orbit of eight roots of unity, though the degree of `c` is less than
+    /// `φ(17) = 16`.
+    #[test]
+    fn an_orbit_at_an_irrational_parameter() {
+        let half = [["1", "0"], ["1/2", "1/2"], ["2", "0"], ["-1", "0"], ["-3/2", "-1/2"]];
+        let mask: Vec<_> = half.iter().chain(half.iter().rev()).collect();
+        let scheme = scheme(&serde_json::json!(mask));
+        let square = ["-17", "0", "1"];
+        let [a, b] = [root(square, "4", "5"), root(square, "-5", "-4")];
+        let work = &mut Work::new();
         // At t = -4 the cube roots of unity are zeros.
         let four = Real::Rational(Rational::from(integer(-4)));
         for listed in [vec![], vec![a.clone()], vec![b.clone()]] {

@@ -13,12 +13,13 @@ use crate::family::{Scheme, check_curve};
 use crate::lemma::{Fact, Setting, kind};
 use crate::limits;
 use crate::model::{Certificate, Conclusion, FORMAT, Lemma, VERSION};
-use crate::work::{Reason, Work};
+use crate::real::integer_polynomial;
+use crate::work::{Check, Reason, Work, ensure, fail};
 
 /// A summary of what has been checked.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Verified {
-    /// The number of lemmas of each kind, those inside `at` lemmas included.
+    /// The number of lemmas of each kind, those inside `at` and `reduced` lemmas included.
     pub lemmas: BTreeMap<&'static str, usize>,
 }
 
@@ -88,29 +89,51 @@ fn check_lemma(setting: &Setting, index: usize, lemma: &Lemma) -> Result<Proved,
             Invalid { part, reason }
         }
     };
-    let work = &mut Work::new();
-    let Lemma::At { value, order, lemmas } = lemma else {
-        let fact = setting.check(lemma, work).map_err(invalid(None))?;
-        return Ok(Proved { value: None, facts: vec![fact] });
+    let (value, lemmas) = match lemma {
+        Lemma::At { value, lemmas, .. } | Lemma::Reduced { value, lemmas, .. } => (value, lemmas),
+        _ => {
+            let fact = setting.check(lemma, &mut Work::new()).map_err(invalid(None))?;
+            return Ok(Proved { value: None, facts: vec![fact] });
+        }
     };
-    if setting.continuity.is_none() {
-        return Err(invalid(None)(Reason("the conclusion is not about continuity".into())));
-    }
-    let member = setting.scheme.at(&value.0, *order, work).map_err(invalid(None))?;
+    let member = member(setting, lemma).map_err(invalid(None))?;
     let inner = Setting { scheme: &member, value: Some(&value.0), ..*setting };
     let mut facts = Vec::with_capacity(lemmas.len());
     for (place, lemma) in lemmas.iter().enumerate() {
         let fact = inner.check(lemma, &mut Work::new());
         facts.push(fact.map_err(invalid(Some((place, kind(lemma)))))?);
     }
+    if matches!(lemma, Lemma::Reduced { .. }) {
+        let refuted =
+            conclusion::refute(&inner, &facts, &mut Work::new()).map_err(invalid(None))?;
+        return Ok(Proved { value: None, facts: vec![refuted] });
+    }
     Ok(Proved { value: Some((value.0.clone(), member)), facts })
+}
+
+/// What the lemmas inside an `at` or a `reduced` are about.
+fn member(setting: &Setting, lemma: &Lemma) -> Check<Scheme> {
+    let Some(continuity) = setting.continuity else {
+        return fail("the conclusion is not about continuity");
+    };
+    let work = &mut Work::new();
+    match lemma {
+        Lemma::At { value, order, .. } => setting.scheme.at(&value.0, *order, work),
+        Lemma::Reduced { value, factor, order, lemmas } => {
+            ensure(continuity >= 1, "a `reduced` lemma about C^0")?;
+            let fits = |lemma: &Lemma| matches!(kind(lemma), "word" | "indivisible" | "stable");
+            ensure(lemmas.iter().all(fits), "inside a `reduced` lemma is one that proves C^n")?;
+            setting.scheme.reduced(&value.0, &integer_polynomial(factor), *order, work)
+        }
+        _ => fail("a lemma that is not about one member"),
+    }
 }
 
 fn count(lemmas: &[Lemma]) -> BTreeMap<&'static str, usize> {
     let mut counts = BTreeMap::new();
     for lemma in lemmas {
         *counts.entry(kind(lemma)).or_insert(0) += 1;
-        if let Lemma::At { lemmas, .. } = lemma {
+        if let Lemma::At { lemmas, .. } | Lemma::Reduced { lemmas, .. } = lemma {
             for (kind, n) in count(lemmas) {
                 *counts.entry(kind).or_insert(0) += n;
             }

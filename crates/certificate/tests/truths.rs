@@ -7,13 +7,7 @@ use serde_json::{Value, json};
 
 /// `(1+z)^k / 2^(k-1)`.
 fn spline(order: usize) -> Value {
-    let mut row = vec![1_i64];
-    for _ in 0..order {
-        row = (0..=row.len())
-            .map(|i| row.get(i).unwrap_or(&0) + if i > 0 { row[i - 1] } else { 0 })
-            .collect();
-    }
-    constant_family(&row, 1 << (order - 1), order)
+    constant_family(&power_of_sum(order), 1 << (order - 1), order)
 }
 
 fn regularity(end: &str, lower: &str, upper: &str) -> Value {
@@ -359,7 +353,7 @@ fn stable_and_unstable_schemes() {
     accept(&stable(&constant_family(&[-1, 0, 9, 16, 9, 0, -1], 16, 4), json!([])));
     // (1+z) ((1+z²)/2)³ vanishes at ±i; 1 + z³ at the points opposite to the cube roots of unity.
     let opposite = constant_family(&[1, 1, 3, 3, 3, 3, 1, 1], 8, 1);
-    refuse(&stable(&opposite, json!([])), "two opposite points");
+    refuse(&stable(&opposite, json!([])), "at a root of unity of even order");
     refuse(&stable(&constant_family(&[1, 0, 0, 1], 1, 1), json!([])), "an orbit of roots of unity");
     // 1 + z⁵ and 1 + z⁷, of which the orbits of squaring are one and (with conjugates) one.
     for n in [5, 7] {
@@ -385,6 +379,155 @@ fn stable_and_unstable_schemes() {
         1,
     );
     accept(&stable(&with_factor, json!([])));
+}
+
+fn product(a: &[i64], b: &[i64]) -> Vec<i64> {
+    let mut product = vec![0; a.len() + b.len() - 1];
+    for (i, x) in a.iter().enumerate() {
+        b.iter().enumerate().for_each(|(j, y)| product[i + j] += x * y);
+    }
+    product
+}
+
+/// `(1+z)^order`.
+fn power_of_sum(order: usize) -> Vec<i64> {
+    (0..order).fold(vec![1], |p, _| product(&p, &[1, 1]))
+}
+
+/// The family of corner cutting, `(1+z)(t + (1-t) z)`, times a factor over a number.
+fn corner_cutting_times(factor: &[i64], number: i64) -> Value {
+    let parts = [&[0, 1, 1][..], &[1, 0, -1]].map(|part| product(part, factor));
+    let text = |c: &i64| format!("{c}/{number}");
+    let mask: Vec<_> = parts[0].iter().zip(&parts[1]).map(|(p, q)| [text(p), text(q)]).collect();
+    let pairs: Vec<_> = mask.iter().map(|pair| [pair[0].as_str(), pair[1].as_str()]).collect();
+    family(&pairs, 1)
+}
+
+#[test]
+fn opposite_zeros_matter_at_roots_of_unity_only() {
+    let stable = |family: &Value, except: Value| {
+        certificate(family, &nothing(0), &json!([{"kind": "stable", "except": except}]))
+    };
+    // w² - 6w/5 + 1 vanishes at (3 ± 4i)/5.
+    let free = [5, 0, -6, 0, 5];
+    for order in 1..=4 {
+        let mask = product(&power_of_sum(order), &free);
+        accept(&stable(&constant_family(&mask, 4 << (order - 1), order), json!([])));
+    }
+    accept(&stable(&corner_cutting_times(&free, 4), json!([])));
+    // w² + 1 vanishes at ±i, w² + w + 1 at roots of unity of odd order, which make an orbit.
+    let even = ([1, 0, 0, 0, 1], 2, "the submasks have a common zero");
+    let odd = ([1, 0, 1, 0, 1], 3, "an orbit of roots of unity");
+    for (factor, number, reason) in [even, odd] {
+        for order in 1..=4 {
+            let mask = product(&power_of_sum(order), &factor);
+            let family = constant_family(&mask, number << (order - 1), order);
+            refuse(&stable(&family, json!([])), reason);
+        }
+        refuse(&stable(&corner_cutting_times(&factor, number), json!([])), reason);
+    }
+    // Expansion then refutes: c_0 = 5/4 is an eigenvalue.
+    let family = constant_family(&product(&[1, 2, 1], &free), 8, 2);
+    let refuted = json!({
+        "kind": "continuity", "continuity": 1, "proved": [],
+        "refuted": [{"from": null, "to": null, "ends": "()"}],
+    });
+    let word = json!({"kind": "word", "pencil": "scale", "word": "0", "from": "1", "to": null});
+    let lemmas = json!([word, {"kind": "stable", "except": []}]);
+    accept(&certificate(&family, &refuted, &lemmas));
+    // A zero that moves: (1+z)(t + (1-t) z²).
+    let moving = common::family(&[["0", "1"], ["0", "1"], ["1", "-1"], ["1", "-1"]], 1);
+    refuse(&stable(&moving, json!([])), "opposite zeros that move with the parameter");
+    // Two submasks of which one is constant: 2t (1+w) and 1 - 4t.
+    accept(&stable(&cubic_like(), json!(["1/4", "1/2"])));
+    refuse(&stable(&cubic_like(), json!(["1/2"])), "at a root of unity of even order");
+    refuse(&stable(&cubic_like(), json!(["1/4"])), "an orbit of roots of unity");
+}
+
+/// The mask `[t, 1/2, 1-2t, 1/2, t]`: the cubic spline at 1/8, `(1+z)(1+z³)/2` at 1/2.
+fn cubic_like() -> Value {
+    family(&[["0", "1"], ["1/2", "0"], ["1", "-2"], ["1/2", "0"], ["0", "1"]], 2)
+}
+
+/// `(1+z)(1+z³)/2` times `q(z)/q(z²)`, `q = 1+z+z²`, is `(1+z)²/2`: a hat function.
+fn hat_lemma() -> Value {
+    let word =
+        json!({"kind": "word", "pencil": "parameter", "word": "0", "from": "1/2", "to": "1/2"});
+    json!({
+        "kind": "reduced", "value": "1/2", "factor": ["1", "1", "1"], "order": 2,
+        "lemmas": [word, {"kind": "stable", "except": []}],
+    })
+}
+
+fn refuted_from_one_half(continuity: usize, to: Value, ends: &str) -> Value {
+    json!({
+        "kind": "continuity", "continuity": continuity, "proved": [],
+        "refuted": [{"from": "1/2", "to": to, "ends": ends}],
+    })
+}
+
+#[test]
+fn an_unstable_member_by_a_reduced_mask() {
+    let word =
+        json!({"kind": "word", "pencil": "parameter", "word": "0", "from": "1/2", "to": null});
+    let stable = json!({"kind": "stable", "except": ["1/4", "1/2"]});
+    let refuted = refuted_from_one_half(1, json!(null), "[)");
+    let valid = certificate(&cubic_like(), &refuted, &json!([word, stable, hat_lemma()]));
+    accept(&valid);
+    let counts = common::check(&valid).unwrap().lemmas;
+    assert_eq!((counts["reduced"], counts["word"], counts["stable"]), (1, 2, 2));
+    let mut without = valid.clone();
+    without["lemmas"] = json!([word, stable]);
+    refuse(&without, "refuted interval 0 is not shown to be stable");
+    // At the value alone it needs no other lemma; the factor counts up to a number.
+    let point = refuted_from_one_half(1, json!("1/2"), "[]");
+    let mut alone = certificate(&cubic_like(), &point, &json!([hat_lemma()]));
+    accept(&alone);
+    alone["lemmas"][0]["factor"] = json!(["-2/3", "-2/3", "-2/3", "0"]);
+    accept(&alone);
+    alone["conclusion"]["refuted"][0]["to"] = json!("51/100");
+    refuse(&alone, "refuted interval 0 is not covered");
+    // Not C² as the cube of σ does not divide; of any order that divides.
+    for order in 1..=2 {
+        let mut lemma = hat_lemma();
+        lemma["order"] = json!(order);
+        lemma["lemmas"][0] = json!({"kind": "indivisible", "order": 3, "except": []});
+        let point = refuted_from_one_half(2, json!("1/2"), "[]");
+        accept(&certificate(&cubic_like(), &point, &json!([lemma])));
+        let weaker = certificate(&cubic_like(), &nothing(1), &json!([lemma]));
+        refuse(&weaker, "show neither expansion nor indivisibility");
+    }
+}
+
+#[test]
+fn reduced_masks_that_are_none() {
+    let with = |pointer: &str, value: Value| {
+        let mut lemma = hat_lemma();
+        *lemma.pointer_mut(pointer).expect(pointer) = value;
+        certificate(&cubic_like(), &nothing(1), &json!([lemma]))
+    };
+    refuse(&with("/factor", json!(["1", "-1", "1"])), "the factor does not divide");
+    refuse(&with("/factor", json!(["1", "0", "0", "0", "0", "0", "1"])), "the factor does not");
+    refuse(&with("/factor", json!(["0", "1"])), "the factor vanishes at zero or at one");
+    refuse(&with("/factor", json!(["1", "-1"])), "the factor vanishes at zero or at one");
+    refuse(&with("/factor", json!([])), "the factor vanishes at zero or at one");
+    // Another member, or the symbol as it is: 1 + z³ has an orbit.
+    refuse(&with("/value", json!("1/3")), "the factor does not divide");
+    refuse(&with("/factor", json!(["1"])), "an orbit of roots of unity");
+    refuse(&with("/order", json!(3)), "the order is too large");
+    refuse(&with("/order", json!(0)), "the order is less than one");
+    refuse(&with("/lemmas/0/from", json!("0")), "an end that is not the value");
+    let stable = hat_lemma()["lemmas"][1].clone();
+    let word = hat_lemma()["lemmas"][0].clone();
+    refuse(&with("/lemmas", json!([stable])), "show neither expansion nor indivisibility");
+    refuse(&with("/lemmas", json!([word])), "do not show stability");
+    refuse(&with("/lemmas/1/except", json!(["1/2"])), "an exception but no parameter");
+    let norm = json!({"kind": "norm", "level": 1, "from": "1/2", "to": "1/2"});
+    refuse(&with("/lemmas/0", norm), "inside a `reduced` lemma is one that proves C^n");
+    let zero = certificate(&cubic_like(), &nothing(0), &json!([hat_lemma()]));
+    refuse(&zero, "a `reduced` lemma about C^0");
+    let claim = certificate(&spline(2), &regularity("1", "1", "1"), &json!([hat_lemma()]));
+    refuse(&claim, "the conclusion is not about continuity");
 }
 
 #[test]

@@ -33,18 +33,53 @@ pub enum Command {
         #[command(flatten)]
         format: FormatArgument,
     },
-    /// The exact set of one parameter for which norms prove C^n
+    /// Where C^n holds over one parameter and where it fails, with exact ends, proved from both sides
     Range {
         #[command(flatten)]
         scheme: SchemeArguments,
         /// The order n of C^n
         #[arg(long, short = 'n', value_name = "N", value_parser = clap::value_parser!(u16))]
         continuity: u16,
-        /// The highest level L of the norms
-        #[arg(long, value_name = "L", default_value_t = 6, value_parser = clap::value_parser!(u32).range(1..))]
-        level: u32,
+        /// Use norms up to this level only: the exact set that they prove, and nothing refuted
+        #[arg(long, value_name = "L", value_parser = clap::value_parser!(u32).range(1..))]
+        level: Option<u32>,
+        /// How wide, against the length of the range, an undecided gap at an end may be where the end
+        /// cannot be proved exactly
+        #[arg(long, value_name = "WIDTH", default_value = "1/1000000", conflicts_with = "level")]
+        gap: String,
         #[command(flatten)]
         format: FormatArgument,
+    },
+    /// The Hölder exponent of a scheme, certified; or over one parameter with --sweep
+    Regularity {
+        #[command(flatten)]
+        scheme: SchemeArguments,
+        /// Sweep the free parameter over an interval, 'alpha=0..1/16' or 'alpha=0..1/16:64' with a number
+        /// of steps; prints CSV unless another format is asked for
+        #[arg(long, value_name = "NAME=FROM..TO[:STEPS]", allow_hyphen_values = true)]
+        sweep: Option<String>,
+        /// Write the sweep as a picture
+        #[arg(long, short, value_name = "FILE.svg", requires = "sweep")]
+        output: Option<PathBuf>,
+        #[command(flatten)]
+        format: FormatArgument,
+    },
+    /// Write a certificate: of C^n over one parameter or at a value, or of the regularity
+    Certify {
+        #[command(flatten)]
+        scheme: SchemeArguments,
+        /// Certify where C^n holds and fails; without it, the regularity
+        #[arg(long, short = 'n', value_name = "N", value_parser = clap::value_parser!(u16))]
+        continuity: Option<u16>,
+        /// Where to write it; to standard output if left out
+        #[arg(long, short, value_name = "FILE")]
+        output: Option<PathBuf>,
+    },
+    /// Check certificates: exit code 0 valid, 1 invalid, 2 unreadable
+    Verify {
+        /// The files
+        #[arg(value_name = "FILE", required = true)]
+        files: Vec<PathBuf>,
     },
     /// The norm of a difference scheme as a formula in the parameters
     Norm {
@@ -63,6 +98,9 @@ pub enum Command {
     Tables {
         #[command(flatten)]
         audit: AuditArguments,
+        /// A directory of certificates to use where they hold, instead of searching afresh
+        #[arg(long, value_name = "DIR")]
+        certificates: Option<PathBuf>,
         /// Claims to check instead of the built-in paper's
         #[arg(long, value_name = "FILE")]
         claims: Option<PathBuf>,

@@ -2,14 +2,17 @@
 
 use std::fs;
 use std::io::IsTerminal;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use indicatif::{ProgressBar, ProgressStyle};
-use refinable_analysis::Budget;
+use refinable_algebra::{parse_rational, rational};
+use refinable_analysis::{Budget, Options, Sharpness, continuity_at, regularity};
+use refinable_certificate::{Certificate, verify};
 use refinable_papers::{Claims, Paper, Table};
 use refinable_report::{
-    Audit, Effort, Site, degree_table, norm_table, range_table, report_site, show,
+    Audit, CERTIFICATES, CertificateStore, Effort, Site, Sweep, degree_table, norm_table, proof_text,
+    range_table, regularity_table, report_site, sharp_range, sharp_range_table, show,
 };
 use refinable_scheme::{Scheme, Substitution};
 
@@ -32,24 +35,56 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         Command::Degrees { scheme, format } => {
             output::print(&degree_table(&resolve(scheme)?), format.format)?;
         }
-        Command::Range { scheme, continuity, level, format } => {
+        Command::Range { scheme, continuity, level, gap, format } => {
             let scheme = resolve(scheme)?;
-            let document =
-                range_table(&scheme, usize::from(*continuity), *level, Budget::default())?;
+            let continuity = usize::from(*continuity);
+            let document = match level {
+                Some(level) => range_table(&scheme, continuity, *level, Budget::default())?,
+                None => {
+                    let range = sharp_range(&scheme, continuity, &sharpness(gap)?)?;
+                    sharp_range_table(&scheme, &range)
+                }
+            };
             output::print(&document, format.format)?;
         }
+        Command::Regularity { scheme, sweep: Some(sweep), output, format } => {
+            let scheme = resolve(scheme)?;
+            let sweep = Sweep::new(&scheme, sweep, &Options::default())?;
+            if let Some(path) = output {
+                files::write_file(path, &sweep.picture())?;
+            }
+            output::print(&sweep.document(), format.format)?;
+        }
+        Command::Regularity { scheme, sweep: None, format, .. } => {
+            let scheme = resolve(scheme)?;
+            let found = regularity(scheme.name(), scheme.mask(), &Options::default())?;
+            output::print(&regularity_table(&scheme, &found), format.format)?;
+        }
+        Command::Certify { scheme, continuity, output } => {
+            let certificate = certify(&resolve(scheme)?, *continuity)?;
+            let text = format!("{}\n", certificate.to_json());
+            match output {
+                Some(path) => files::write_file(path, &text)?,
+                None => output::print_text(&text)?,
+            }
+        }
+        Command::Verify { files } => return verify_files(files),
         Command::Norm { scheme, continuity, level, format } => {
             let scheme = resolve(scheme)?;
             let document =
                 norm_table(&scheme, usize::from(*continuity), *level, Budget::default())?;
             output::print(&document, format.format)?;
         }
-        Command::Tables { audit, claims, tables, format } => {
+        Command::Tables { audit, certificates, claims, tables, format } => {
             let all = match claims {
                 Some(path) => read_claims(path)?,
                 None => Paper::builtin()?.tables,
             };
-            let audit = run_audit(&select(all, tables)?, *audit)?;
+            let known = match certificates {
+                Some(dir) => files::certificates(dir)?,
+                None => CertificateStore::new(),
+            };
+            let audit = run_audit(&select(all, tables)?, *audit, known)?;
             output::print(&audit.document(), format.format)?;
         }
         Command::Report { action } => return report(action),
@@ -63,6 +98,57 @@ fn resolve(arguments: &SchemeArguments) -> Result<Scheme, Failure> {
         substitutions.push(Substitution::parse(text)?);
     }
     Ok(Scheme::resolve_with(&arguments.scheme, arguments.arity as usize, &substitutions)?)
+}
+
+fn sharpness(gap: &str) -> Result<Sharpness, Failure> {
+    let gap = parse_rational(gap).filter(|gap| *gap > rational(0, 1) && *gap < rational(1, 2));
+    let Some(gap) = gap else {
+        let hint = "give a positive number below 1/2, for example --gap 1/1000000";
+        return Err(Failure::new("gap", "the gap is not such a number", hint));
+    };
+    let spectral = Options { gap, ..Options::default() };
+    Ok(Sharpness { spectral, ..Sharpness::default() })
+}
+
+fn certify(scheme: &Scheme, continuity: Option<u16>) -> Result<Certificate, Failure> {
+    let Some(continuity) = continuity else {
+        let found = regularity(scheme.name(), scheme.mask(), &Options::default())?;
+        return found.certificate.ok_or_else(|| {
+            let hint = "without stable shifts only a lower bound holds; try -n N";
+            Failure::new("stability", "the shifts of the basic limit function are not stable", hint)
+        });
+    };
+    let (continuity, sharpness) = (usize::from(continuity), Sharpness::default());
+    if scheme.mask().parameters().is_empty() {
+        return Ok(continuity_at(scheme.name(), scheme.mask(), continuity, &sharpness)?.1);
+    }
+    Ok(sharp_range(scheme, continuity, &sharpness)?.certificate)
+}
+
+/// Checks one file after the other; the worst of them decides the exit code.
+fn verify_files(paths: &[PathBuf]) -> Result<ExitCode, Failure> {
+    let mut worst = 0;
+    for path in paths {
+        let bytes = files::read_limited(path)?;
+        let verdict = match Certificate::read(&bytes) {
+            Err(unreadable) => {
+                worst = 2;
+                format!("unreadable: {unreadable}")
+            }
+            Ok(certificate) => match verify(&certificate) {
+                Ok(_) => {
+                    let statement = refinable_report::statement(&certificate);
+                    format!("valid: {statement}; {}", proof_text(&certificate))
+                }
+                Err(invalid) => {
+                    worst = worst.max(1);
+                    format!("invalid: {invalid}")
+                }
+            },
+        };
+        output::print_text(&format!("{}: {verdict}\n", path.display()))?;
+    }
+    Ok(ExitCode::from(worst))
 }
 
 fn derive(arguments: &SchemeArguments, format: FormatArgument) -> Result<(), Failure> {
@@ -96,7 +182,11 @@ fn select(all: Vec<Table>, ids: &[String]) -> Result<Vec<Table>, Failure> {
 }
 
 /// Audits with a progress bar on a terminal, silently elsewhere.
-fn run_audit(tables: &[Table], arguments: AuditArguments) -> Result<Audit, Failure> {
+fn run_audit(
+    tables: &[Table],
+    arguments: AuditArguments,
+    known: CertificateStore,
+) -> Result<Audit, Failure> {
     let cells: usize = tables.iter().map(|table| table.cells.len()).sum();
     let bar = if std::io::stderr().is_terminal() {
         ProgressBar::new(cells as u64)
@@ -106,7 +196,7 @@ fn run_audit(tables: &[Table], arguments: AuditArguments) -> Result<Audit, Failu
     let style = ProgressStyle::with_template("{bar:40} {pos}/{len} cells, {eta} left");
     bar.set_style(style.expect("the template is well formed"));
     let effort = Effort { level: arguments.level, budget: Budget::default() };
-    let audit = Audit::new(tables, effort, &|| bar.inc(1));
+    let audit = Audit::new(tables, effort, known, &|| bar.inc(1));
     bar.finish_and_clear();
     Ok(audit?)
 }
@@ -114,7 +204,9 @@ fn run_audit(tables: &[Table], arguments: AuditArguments) -> Result<Audit, Failu
 fn report(action: &ReportAction) -> Result<ExitCode, Failure> {
     let (ReportAction::Build { dir, audit } | ReportAction::Check { dir, audit }) = action;
     let paper = Paper::builtin()?;
-    let site: Site = report_site(&paper, &run_audit(&paper.tables, *audit)?);
+    // Certificates that hold need not be searched for again; those that do not are.
+    let known = files::certificates(&dir.join(CERTIFICATES))?;
+    let site: Site = report_site(&paper, &run_audit(&paper.tables, *audit, known)?);
     if let ReportAction::Build { .. } = action {
         files::write_site(dir, &site)?;
         eprintln!("{} files written to {}", site.len(), dir.display());

@@ -2,10 +2,11 @@
 
 use std::collections::BTreeSet;
 use std::fs;
-use std::io::Write;
+use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
 
-use refinable_report::Site;
+use refinable_certificate::Certificate;
+use refinable_report::{CertificateStore, Site};
 use tempfile::NamedTempFile;
 
 use crate::failure::Failure;
@@ -99,4 +100,59 @@ fn first_difference(name: &str, found: &str, expected: &str) -> String {
             expected.lines().count()
         ),
     }
+}
+
+/// Writes one file, whole or not at all.
+///
+/// # Errors
+/// A place that cannot be written.
+pub fn write_file(path: &Path, text: &str) -> Result<(), Failure> {
+    let name = path.file_name().map(|name| name.to_string_lossy().into_owned());
+    let Some(name) = name else {
+        let hint = "name a file, not a directory";
+        return Err(Failure::new("file", format!("{} is no file", path.display()), hint));
+    };
+    let dir = path.parent().filter(|dir| !dir.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    if !dir.is_dir() {
+        let hint = "make the directory first";
+        return Err(Failure::new("file", format!("{} is no directory", dir.display()), hint));
+    }
+    write_site(dir, &Site::from([(name, text.to_string())]))
+}
+
+/// The contents of a file that may come from a stranger: no more than a checker reads.
+///
+/// # Errors
+/// A file that cannot be read.
+pub fn read_limited(path: &Path) -> Result<Vec<u8>, Failure> {
+    let file = fs::File::open(path).map_err(|error| Failure::file(path, &error))?;
+    let mut bytes = Vec::new();
+    let most = LARGEST_CERTIFICATE + 1;
+    file.take(most).read_to_end(&mut bytes).map_err(|error| Failure::file(path, &error))?;
+    Ok(bytes)
+}
+
+/// One byte more is enough for the checker to see that a file is too large.
+const LARGEST_CERTIFICATE: u64 = 64 << 20;
+
+/// The readable certificates of a directory, by name; none if there is no such directory. What does
+/// not hold is found out when it is used.
+///
+/// # Errors
+/// A directory or file that cannot be read.
+pub fn certificates(dir: &Path) -> Result<CertificateStore, Failure> {
+    let mut store = CertificateStore::new();
+    if !dir.is_dir() {
+        return Ok(store);
+    }
+    for entry in fs::read_dir(dir).map_err(|error| Failure::file(dir, &error))? {
+        let path = entry.map_err(|error| Failure::file(dir, &error))?.path();
+        if path.extension().is_some_and(|extension| extension == "json")
+            && let Some(name) = path.file_stem()
+            && let Ok(certificate) = Certificate::read(&read_limited(&path)?)
+        {
+            store.insert(name.to_string_lossy().into_owned(), certificate);
+        }
+    }
+    Ok(store)
 }

@@ -7,6 +7,7 @@
 //! | `isolate` | isolation of all real roots, or of those in an interval |
 //! | `algebraic` | [`RealAlgebraic`]: exact comparison, signs of polynomials, enclosures |
 //! | `exact_form` | [`ExactForm`]: `p/q`, radicals, `root(POLY, k)` |
+//! | `logarithm` | enclosures of logarithms |
 //! | `region` | [`Region`]: finite unions of intervals with exact ends, canonical |
 //! | `point` | [`Point`]: a point of parameter space with real algebraic coordinates |
 //! | `system` | common zeros of two polynomials in two parameters |
@@ -29,6 +30,7 @@ mod algebraic;
 mod bernstein;
 mod exact_form;
 mod isolate;
+mod logarithm;
 mod point;
 mod region;
 mod rounded;
@@ -39,6 +41,7 @@ pub use algebraic::RealAlgebraic;
 pub use bernstein::Bernstein;
 pub use exact_form::{ExactForm, Radical};
 pub use isolate::{power_of_two, real_roots, real_roots_between, root_bound_exponent};
+pub use logarithm::logarithm;
 pub use point::Point;
 pub use region::{Bound, Interval, Region};
 pub use rounded::RoundedBernstein;

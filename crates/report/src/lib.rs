@@ -4,7 +4,7 @@
 //! |---|---|
 //! | `grid` | [`Document`], [`Grid`], [`Cell`]: tables as data, rendered as md, csv, tex and json |
 //! | `latex`, `number` | exact quantities as LaTeX and as JSON |
-//! | `show`, `degrees`, `range`, `norm` | one document for each analysis |
+//! | `show`, `degrees`, `range`, `sharp`, `regularity`, `norm` | one document for each analysis |
 //! | `picture` | claimed against proved ranges as SVG |
 //! | `audit` | [`Audit`]: the verdict on every cell of a paper's tables |
 //! | `site` | the files of a report directory |
@@ -20,13 +20,19 @@ mod norm;
 mod number;
 mod picture;
 mod range;
+mod regularity;
+mod sharp;
+mod sweep;
 mod show;
 mod site;
 
-pub use audit::{Agreement, Audit, AuditedCell, AuditedTable, Effort, Ranges};
+pub use audit::{Agreement, Audit, AuditedCell, AuditedTable, CertificateStore, Effort, Ranges};
 pub use degrees::degree_table;
 pub use grid::{Cell, Document, Grid};
 pub use norm::norm_table;
 pub use range::range_table;
+pub use regularity::{outward, regularity_table};
+pub use sharp::{proof_text, sharp_range, sharp_range_table, statement};
+pub use sweep::Sweep;
 pub use show::show;
-pub use site::{Site, report_site};
+pub use site::{CERTIFICATES, Site, report_site};

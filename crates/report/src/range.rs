@@ -119,7 +119,7 @@ fn interval_cell(interval: &Interval, variable: &str) -> Cell {
 }
 
 /// The ends to six digits, marked unless they are exact.
-fn decimals(interval: &Interval) -> String {
+pub fn decimals(interval: &Interval) -> String {
     let text = |x: &RealAlgebraic| {
         let decimal = x.decimal(6);
         let exact = x.as_rational().is_some_and(|q| parse_rational(&decimal).as_ref() == Some(q));

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use refinable_papers::Paper;
 
-use crate::audit::{Audit, AuditedTable};
+use crate::audit::{Audit, AuditedTable, CertificateStore};
 use crate::grid::Document;
 use crate::picture;
 
@@ -29,14 +29,23 @@ pub fn report_site(paper: &Paper, audit: &Audit) -> Site {
             site.insert(path("svg"), svg);
         }
     }
+    for (name, certificate) in &audit.certificates {
+        let json = format!("{}\n", certificate.to_json());
+        site.insert(format!("{CERTIFICATES}/{name}.json"), json);
+    }
     site
 }
+
+/// The folder of a report that holds its certificates.
+pub const CERTIFICATES: &str = "certificates";
 
 fn index(paper: &Paper, audit: &Audit) -> String {
     let mut text = format!(
         "# Audit of “{}”\n\n{}\n\n{}\n\nWhat the misprints are, and their evidence: \
          [NOTES.md](NOTES.md).\nAll tables as one document: [tables.tex](tables.tex); as data: \
-         [tables.json](tables.json).\n\n",
+         [tables.json](tables.json). Every verdict on continuity names its\n\
+         certificates below [certificates](certificates/): `refinable verify FILE` checks one, and\n\
+         docs/certificates.md says how to write another checker.\n\n",
         paper.title,
         paper.citation,
         audit.summary(),
@@ -52,7 +61,7 @@ fn index(paper: &Paper, audit: &Audit) -> String {
 }
 
 fn index_row(table: &AuditedTable, level: u32) -> String {
-    let alone = Audit { tables: vec![table.clone()], level };
+    let alone = Audit { tables: vec![table.clone()], level, certificates: CertificateStore::new() };
     let counts: Vec<String> = alone.counts().iter().map(|(_, n)| n.to_string()).collect();
     let id = &table.id;
     let mut kinds = vec!["csv", "tex", "json"];

@@ -1,7 +1,7 @@
 //! The line of parameters, divided at `ρ(x) = 1`.
 
 use rayon::prelude::*;
-use refinable_algebra::Rational;
+use refinable_algebra::{Integer, Matrix, Ordered, Polynomial, Rational, Ring, rational};
 use refinable_certificate::{self as certificate, Lemma, Polytope};
 use refinable_reals::{Bound, Interval, RealAlgebraic, Region};
 
@@ -9,7 +9,7 @@ use crate::float::{approximate, approximate_root, short_dyadic};
 use crate::leading::fastest;
 use crate::pencil::Pencil;
 use crate::rough::{Product, rough_set, sign_set};
-use crate::search::{Closed, Crossing, Search, certificate_end};
+use crate::search::{Closed, Crossing, Search, certificate_end, real_algebraic};
 use crate::word::Word;
 
 /// What is wanted of a division.
@@ -23,7 +23,7 @@ pub struct Options {
 
 impl Default for Options {
     fn default() -> Self {
-        Options { longest_word: 8, gap: refinable_algebra::rational(1, 1_000_000) }
+        Options { longest_word: 8, gap: rational(1, 1_000_000) }
     }
 }
 
@@ -128,10 +128,7 @@ fn conclude(known: &[(Rational, Rational)], proofs: Vec<Cover>, expansion: &Expa
 /// The interval on which a polytope proves contraction.
 fn proved_by(polytope: &Polytope) -> Region {
     let inner = RealAlgebraic::from(polytope.inner.0.clone());
-    let end = match &polytope.end {
-        certificate::End::Rational(x) => RealAlgebraic::from(x.0.clone()),
-        certificate::End::Algebraic(root) => root_of(root),
-    };
+    let end = real_algebraic(&polytope.end);
     let far = if polytope.leading.is_empty() { Bound::Closed } else { Bound::Open };
     if inner <= end {
         Region::interval(Bound::Closed(inner), far(end))
@@ -140,19 +137,11 @@ fn proved_by(polytope: &Polytope) -> Region {
     }
 }
 
-fn root_of(root: &certificate::Root) -> RealAlgebraic {
-    let coefficients: Vec<Rational> = root.root_of.iter().map(|c| c.0.clone()).collect();
-    let polynomial = refinable_algebra::Polynomial::new(coefficients).cleared().1;
-    let [lower, upper] = &root.between;
-    let roots = refinable_reals::real_roots_between(&polynomial, &lower.0, &upper.0);
-    roots.into_iter().next().expect("an end is written with its root inside")
-}
-
 /// All words that matter so far.
 struct Expansion<'a> {
     pencil: &'a Pencil,
     words: &'a [Word],
-    cleared: (refinable_algebra::Integer, Vec<refinable_algebra::Matrix<refinable_algebra::Polynomial<refinable_algebra::Integer>>>),
+    cleared: (Integer, Vec<Matrix<Polynomial<Integer>>>),
     known: Vec<KnownWord>,
 }
 
@@ -184,8 +173,9 @@ impl<'a> Expansion<'a> {
                 return false;
             }
             known.complete = true;
-            known.region = known.region.union(&rough_set(&product));
-            return true;
+            let before = known.region.clone();
+            known.region = before.union(&with_short_ends(&rough_set(&product), &before));
+            return known.region != before;
         }
         let signs = sign_set(&product);
         let crossings = signs
@@ -241,6 +231,40 @@ impl<'a> Expansion<'a> {
         }
         lemmas
     }
+}
+
+/// The intervals of a closed set that another does not contain, each cut back to rational ends very
+/// near its own: where a complex pair crosses the unit circle the exact end is a root of a polynomial
+/// of a degree in the hundreds, which nobody wants to see.
+fn with_short_ends(region: &Region, known: &Region) -> Region {
+    let relative = rational(1, 1 << 34);
+    let width = |x: &RealAlgebraic| {
+        let (lower, upper) = x.enclosure(&relative);
+        let size = lower.absolute().max(upper.absolute());
+        if size.is_zero() { relative.clone() } else { size * &relative }
+    };
+    let inward = |bound: &Bound, lower: bool| match bound.number() {
+        None => Bound::Infinite,
+        Some(x) => {
+            let (below, above) = x.enclosure(&width(x));
+            let end = if lower { above } else { below };
+            Bound::Closed(short_dyadic_of(&end, lower).into())
+        }
+    };
+    let intervals = region.intervals().into_iter().filter(|interval| {
+        !Region::interval(interval.lower.clone(), interval.upper.clone()).is_subset(known)
+    });
+    Region::union_of(intervals.map(|interval| {
+        Region::interval(inward(&interval.lower, true), inward(&interval.upper, false))
+    }))
+}
+
+/// A dyadic number with some forty leading bits, not below `x` or not above it.
+fn short_dyadic_of(x: &Rational, up: bool) -> Rational {
+    let size = approximate(x).abs().max(f64::MIN_POSITIVE).log2().ceil() as i32;
+    let scale = rational(2, 1).power((44 - size).max(0) as u32);
+    let scaled = x * &scale;
+    (if up { scaled.ceil() } else { scaled.floor() }) / scale
 }
 
 /// Where to look for growing words: across the interval, and close to its ends.

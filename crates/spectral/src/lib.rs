@@ -6,6 +6,7 @@ mod float;
 mod gauge;
 mod leading;
 mod pencil;
+mod radius;
 mod rough;
 mod rounding;
 mod schur;
@@ -14,5 +15,6 @@ mod word;
 
 pub use division::{Constant, Division, Options, decide, divide};
 pub use pencil::Pencil;
-pub use search::certificate_end;
+pub use radius::{Radius, radius};
+pub use search::{certificate_end, real_algebraic};
 pub use word::Word;

@@ -3,7 +3,7 @@
 use nalgebra::DMatrix;
 use refinable_algebra::{Integer, Polynomial, Rational};
 use refinable_certificate::{self as certificate, End, Number, Polytope, Root};
-use refinable_reals::RealAlgebraic;
+use refinable_reals::{RealAlgebraic, real_roots_between};
 
 use crate::body::{Body, Effort, Ends, Start};
 use crate::float::{approximate, approximate_root, dyadic, short_dyadic};
@@ -100,6 +100,13 @@ impl Search<'_> {
                     let body = self.full_body(&ends, starts.clone(), effort)?;
                     self.write(&body, &inner, certificate_end(end), &ends, &EXACT)
                 };
+                if self.kind == certificate::Pencil::Scale {
+                    // At scale zero all images are zero: one polytope does for all scales.
+                    match reached(1.0) {
+                        Some(found) => return Some(found),
+                        None => continue,
+                    }
+                }
                 if let Some(first) = reached(FIRST_REACH) {
                     return FARTHER.iter().find_map(|&reach| reached(reach)).or(Some(first));
                 }
@@ -119,6 +126,9 @@ impl Search<'_> {
         let mut fastest_growth = 0.0f64;
         for matrices in [&at_a, &at_b] {
             let (word, growth) = fastest(matrices, self.words);
+            if growth == 0.0 {
+                continue;
+            }
             if growth >= 1.0 {
                 return Closed::Faster(word.clone());
             }
@@ -131,7 +141,7 @@ impl Search<'_> {
         if self.too_far_apart(&ends) {
             return Closed::Nothing;
         }
-        let margin = (0.1 * (1.0 - fastest_growth)).clamp(1e-9, 1e-2);
+        let margin = (0.1 * (1.0 - fastest_growth)).clamp(1e-11, 1e-2);
         let effort = Effort { margin, vertices: 400 };
         let Some(body) = self.full_body(&ends, starts, effort) else { return Closed::Nothing };
         let end = End::Rational(Number(b.clone()));
@@ -221,4 +231,20 @@ pub fn certificate_end(x: &RealAlgebraic) -> End {
         root_of: coefficients.into_iter().map(|c| Number(Rational::from(c))).collect(),
         between: [Number(lower), Number(upper)],
     })
+}
+
+/// The number that a certificate writes.
+///
+/// # Panics
+/// If the certificate has not been checked and names no number.
+pub fn real_algebraic(end: &End) -> RealAlgebraic {
+    match end {
+        End::Rational(x) => x.0.clone().into(),
+        End::Algebraic(Root { root_of, between: [lower, upper] }) => {
+            let coefficients: Vec<Rational> = root_of.iter().map(|c| c.0.clone()).collect();
+            let polynomial = Polynomial::new(coefficients).cleared().1;
+            let roots = real_roots_between(&polynomial, &lower.0, &upper.0);
+            roots.into_iter().next().expect("a checked end has its root between its bounds")
+        }
+    }
 }

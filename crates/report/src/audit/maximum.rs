@@ -1,10 +1,11 @@
 //! Claims of maximum continuity: the largest n for which some parameter value gives C^n.
 //!
-//! Norms bound the maximum from below only. So a claim that is exceeded is refuted, a claim of "at
-//! least" that is reached is proved, and all else is left to sharper means.
+//! The maximum is n if C^n is proved somewhere and C^(n+1) refuted everywhere. With two parameters C^n
+//! is asked where divisibility admits it: on the curves and at the points of the degree ladder.
 
-use std::fmt;
+use std::cmp::Ordering;
 
+use refinable_analysis::PointVerdict;
 use refinable_algebra::{
     Parameter, ParameterFraction, ParameterPolynomial, Rational, Ring, decimal,
 };
@@ -15,11 +16,14 @@ use refinable_scheme::{Diagnostic, Scheme, Substitution};
 use super::workbench::Workbench;
 use super::{Agreement, Finding, continuity};
 
-/// The best C^n that norms prove, where, and a norm below 1 as the witness.
-struct Best {
-    continuity: usize,
+/// The best C^n that is proved, where, and a witness.
+pub struct Best {
+    /// The order n.
+    pub continuity: usize,
     place: String,
-    witness: String,
+    /// Why C^n holds: a norm below 1 if one of low level is, else an invariant polytope.
+    pub witness: String,
+    certificates: Vec<String>,
 }
 
 /// Checks a claimed maximum.
@@ -38,69 +42,105 @@ pub fn check(
             Agreement::Undecided,
         ));
     };
-    let text = format!("at least C^{}{}", best.continuity, best.place);
-    let finding = |agreement| Finding::new(text.clone(), agreement).noted(best.witness.clone());
-    Ok(match (best.continuity.cmp(&claimed), bound) {
-        (std::cmp::Ordering::Greater, Bound::Equal) => finding(Agreement::Disagrees)
+    let excluded = excluded(workbench, scheme, best.continuity + 1)?;
+    let at_least = if excluded.is_some() { "" } else { "at least " };
+    let text = format!("{at_least}C^{}{}", best.continuity, best.place);
+    let certificates = best.certificates.iter().cloned().chain(excluded.clone().unwrap_or_default());
+    let finding = |agreement| {
+        Finding::new(text.clone(), agreement)
+            .noted(best.witness.clone())
+            .certified(certificates.clone())
+    };
+    let nothing_more = format!("C^{} is refuted for all values", best.continuity + 1);
+    Ok(match (best.continuity.cmp(&claimed), bound, excluded.is_some()) {
+        (Ordering::Greater, Bound::Equal, _) => finding(Agreement::Disagrees)
             .noted(format!("C^{} is attained, more than the claimed maximum", best.continuity)),
-        (std::cmp::Ordering::Greater, Bound::AtLeast) => finding(Agreement::Stronger),
-        (std::cmp::Ordering::Equal, Bound::AtLeast) => finding(Agreement::Agrees),
-        (std::cmp::Ordering::Equal, Bound::Equal) => finding(Agreement::Undecided)
-            .noted("attained; norms cannot show that it is the maximum"),
-        (std::cmp::Ordering::Less, _) => finding(Agreement::Undecided),
+        (Ordering::Greater, Bound::AtLeast, _) => finding(Agreement::Stronger),
+        (Ordering::Equal, Bound::AtLeast, _) => finding(Agreement::Agrees),
+        (Ordering::Equal, Bound::Equal, true) => finding(Agreement::Agrees).noted(nothing_more),
+        (Ordering::Equal, Bound::Equal, false) => finding(Agreement::Undecided)
+            .noted("attained; not shown to be the maximum"),
+        (Ordering::Less, _, true) => finding(Agreement::Disagrees).noted(nothing_more),
+        (Ordering::Less, _, false) => finding(Agreement::Undecided),
     })
 }
 
-/// A norm below 1: the proof of C^n for a scheme without free parameters.
-pub struct ProvedValue {
-    /// The order n.
-    pub continuity: usize,
-    /// The lowest level whose norm is below 1.
-    pub level: usize,
-    /// That norm.
-    pub norm: Rational,
+/// The certificates that refute C^n for every value of the parameters; `None` if it is not refuted.
+fn excluded(
+    workbench: &Workbench,
+    scheme: &Scheme,
+    continuity: usize,
+) -> Result<Option<Vec<String>>, Diagnostic> {
+    let parameters: Vec<Parameter> = scheme.mask().parameters().into_iter().collect();
+    match parameters.as_slice() {
+        [] => {
+            let verdict = workbench.verdict(scheme, continuity)?;
+            let refuted = verdict.0 == PointVerdict::Refuted;
+            Ok(refuted.then(|| vec![verdict.1.clone()]))
+        }
+        [parameter] => {
+            let range = workbench.range(scheme, parameter, continuity)?;
+            let refuted = range.0.proved.is_empty() && range.0.undecided().is_empty();
+            Ok(refuted.then(|| vec![range.1.clone()]))
+        }
+        _ => excluded_on_strata(workbench, scheme, continuity),
+    }
 }
 
-impl fmt::Display for ProvedValue {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let text = self.norm.to_string();
-        let short = text.len() <= 16;
-        let value = if short { text } else { format!("≈ {}", decimal(&self.norm, 6)) };
-        let equals = if short { " = " } else { " " };
-        write!(f, "‖c_{}^{}‖{equals}{value}", self.continuity, self.level)
+/// Where the degree of generation is below `n` the scheme is not C^n; elsewhere there must be curves or
+/// points, and C^n refuted on each.
+fn excluded_on_strata(
+    workbench: &Workbench,
+    scheme: &Scheme,
+    continuity: usize,
+) -> Result<Option<Vec<String>>, Diagnostic> {
+    let degrees = workbench.degrees(scheme);
+    let mut certificates = Vec::new();
+    for stratum in degrees.strata.iter().filter(|s| s.generation.0 >= continuity) {
+        let Some((_, substitutions)) = substitutions(&stratum.locus) else { return Ok(None) };
+        let restricted = scheme.with(&substitutions)?;
+        let Some(more) = excluded(workbench, &restricted, continuity)? else { return Ok(None) };
+        certificates.extend(more);
     }
+    Ok(degrees.complete.then_some(certificates))
 }
 
 /// The largest n with C^n proved for a scheme without free parameters.
 ///
 /// # Errors
 /// A budget that does not suffice; code `parameters` if a parameter is free.
-pub fn proved_at_value(
-    workbench: &Workbench,
-    scheme: &Scheme,
-) -> Result<Option<ProvedValue>, Diagnostic> {
+pub fn at_value(workbench: &Workbench, scheme: &Scheme) -> Result<Option<Best>, Diagnostic> {
     let generation = workbench.degrees(scheme).generic().generation.0;
     for continuity in (0..=generation).rev() {
-        if let Some(norms) = workbench.norms(scheme, continuity)?.as_ref()
-            && let Some(at) = norms.iter().position(|norm| *norm < Rational::one())
-        {
-            let (level, norm) = (at + 1, norms[at].clone());
-            return Ok(Some(ProvedValue { continuity, level, norm }));
+        let verdict = workbench.verdict(scheme, continuity)?;
+        if verdict.0 == PointVerdict::Proved {
+            let norms = workbench.norms(scheme, continuity)?;
+            return Ok(Some(Best {
+                continuity,
+                place: String::new(),
+                witness: norm_witness(norms.as_deref().unwrap_or_default(), continuity),
+                certificates: vec![verdict.1.clone()],
+            }));
         }
     }
     Ok(None)
 }
 
+/// `‖c_3^2‖ = 99/128`, or `an invariant polytope`.
+fn norm_witness(norms: &[Rational], continuity: usize) -> String {
+    let Some(level) = norms.iter().position(|norm| *norm < Rational::one()) else {
+        return "by an invariant polytope".into();
+    };
+    let text = norms[level].to_string();
+    let value =
+        if text.len() <= 16 { format!("= {text}") } else { format!("≈ {}", decimal(&norms[level], 6)) };
+    format!("‖c_{continuity}^{}‖ {value}", level + 1)
+}
+
 fn best(workbench: &Workbench, scheme: &Scheme) -> Result<Option<Best>, Diagnostic> {
     let parameters: Vec<Parameter> = scheme.mask().parameters().into_iter().collect();
     match parameters.as_slice() {
-        [] => {
-            let proved = proved_at_value(workbench, scheme)?;
-            Ok(proved.map(|proved| {
-                let witness = proved.to_string();
-                Best { continuity: proved.continuity, place: String::new(), witness }
-            }))
-        }
+        [] => at_value(workbench, scheme),
         [parameter] => best_on_line(workbench, scheme, parameter),
         _ => best_on_strata(workbench, scheme),
     }
@@ -116,12 +156,15 @@ fn best_on_line(
     let degrees = workbench.degrees(scheme);
     let highest = degrees.strata.iter().map(|s| s.generation.0).max().unwrap_or(0);
     for continuity in (0..=highest).rev() {
-        let range = workbench.range(scheme, parameter, continuity)?;
+        let certified = workbench.range(scheme, parameter, continuity)?;
+        let range = &certified.0;
         if let Some(interval) = range.proved.intervals().first() {
             let region = continuity::short(&range.proved, parameter.name());
             let word = if interval.as_point().is_some() { "at" } else { "on" };
-            let witness = witness(workbench, scheme, parameter, interval)?;
-            return Ok(Some(Best { continuity, place: format!(" {word} {region}"), witness }));
+            let place = format!(" {word} {region}");
+            let witness = witness(workbench, scheme, parameter, interval, continuity)?;
+            let certificates = vec![certified.1.clone()];
+            return Ok(Some(Best { continuity, place, witness, certificates }));
         }
     }
     Ok(None)
@@ -133,6 +176,7 @@ fn witness(
     scheme: &Scheme,
     parameter: &Parameter,
     interval: &Interval,
+    continuity: usize,
 ) -> Result<String, Diagnostic> {
     let inside = match (interval.as_point(), interval.lower.number(), interval.upper.number()) {
         (Some(x), _, _) => x.as_rational().cloned(),
@@ -146,8 +190,9 @@ fn witness(
     };
     let value = ParameterFraction::from(ParameterPolynomial::constant(x.clone()));
     let fixed = scheme.with(&[Substitution::new(parameter.clone(), value)])?;
-    let proved = proved_at_value(workbench, &fixed)?;
-    Ok(proved.map_or_else(String::new, |proved| format!("{proved} at {parameter} = {x}")))
+    let norms = workbench.norms(&fixed, continuity)?;
+    let witness = norm_witness(norms.as_deref().unwrap_or_default(), continuity);
+    Ok(format!("{witness} at {parameter} = {x}"))
 }
 
 /// With two or more parameters the smoothest members are sought where divisibility is highest: on

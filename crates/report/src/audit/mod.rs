@@ -8,12 +8,14 @@ mod render;
 mod statement;
 mod workbench;
 
-use rayon::prelude::*;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
 use refinable_papers::{Cell, Claim, Table};
 use refinable_reals::Region;
 use refinable_scheme::Diagnostic;
 
-pub use workbench::Effort;
+pub(crate) use continuity::short;
+pub use workbench::{CertificateStore, Effort};
 use workbench::Workbench;
 
 /// How a finding stands to a claim, from the best to the worst.
@@ -60,6 +62,7 @@ pub(crate) struct Finding {
     agreement: Agreement,
     notes: Vec<String>,
     ranges: Option<Ranges>,
+    certificates: Vec<String>,
 }
 
 /// A claimed range of one parameter and the proved one.
@@ -71,11 +74,20 @@ pub struct Ranges {
     pub claimed: Region,
     /// Where it is proved.
     pub proved: Region,
+    /// Where it is refuted.
+    pub refuted: Region,
 }
 
 impl Finding {
     fn new(text: impl Into<String>, agreement: Agreement) -> Self {
-        Finding { text: text.into(), agreement, notes: Vec::new(), ranges: None }
+        let text = text.into();
+        Finding { text, agreement, notes: Vec::new(), ranges: None, certificates: Vec::new() }
+    }
+
+    /// With the certificates that prove it.
+    fn certified(mut self, names: impl IntoIterator<Item = String>) -> Self {
+        self.certificates.extend(names);
+        self
     }
 
     /// With one more remark; an empty one is none.
@@ -102,6 +114,8 @@ pub struct AuditedCell {
     pub note: String,
     /// The ranges, if the cell speaks of one.
     pub ranges: Option<Ranges>,
+    /// The names of the certificates that prove the finding.
+    pub certificates: Vec<String>,
 }
 
 /// A table with its verdicts.
@@ -124,10 +138,13 @@ pub struct Audit {
     pub tables: Vec<AuditedTable>,
     /// The highest level of norms that was computed.
     pub level: u32,
+    /// The certificates behind the findings, by name.
+    pub certificates: CertificateStore,
 }
 
 impl Audit {
-    /// Checks every claim of the tables; `progress` is called once for each finished cell, from any
+    /// Checks every claim of the tables. Certificates among the `known` ones that hold are used, others
+    /// are searched for. `progress` is called once for each finished cell, from any
     /// thread. The result does not depend on the number of threads.
     ///
     /// # Errors
@@ -136,19 +153,19 @@ impl Audit {
     pub fn new(
         tables: &[Table],
         effort: Effort,
+        known: CertificateStore,
         progress: &(dyn Fn() + Sync),
     ) -> Result<Self, Diagnostic> {
-        let workbench = Workbench::new(effort);
+        let workbench = Workbench::new(effort, known);
         let cells: Vec<(&Table, &Cell)> =
             tables.iter().flat_map(|t| t.cells.iter().map(move |c| (t, c))).collect();
-        let audited: Result<Vec<AuditedCell>, Diagnostic> = cells
-            .par_iter()
-            .map(|(table, cell)| {
-                let result = audit_cell(&workbench, cell);
-                progress();
-                result.map_err(|error| located(error, table, cell))
-            })
-            .collect();
+        let audited: Result<Vec<AuditedCell>, Diagnostic> = in_parallel(&cells, |(table, cell)| {
+            let result = audit_cell(&workbench, cell);
+            progress();
+            result.map_err(|error| located(error, table, cell))
+        })
+        .into_iter()
+        .collect();
         let mut audited = audited?.into_iter();
         let tables = tables.iter().map(|table| AuditedTable {
             id: table.id.clone(),
@@ -156,7 +173,8 @@ impl Audit {
             locator: table.locator.clone(),
             cells: audited.by_ref().take(table.cells.len()).collect(),
         });
-        Ok(Audit { tables: tables.collect(), level: effort.level })
+        let tables: Vec<AuditedTable> = tables.collect();
+        Ok(Audit { certificates: workbench.used(), tables, level: effort.level })
     }
 
     /// How many cells got each verdict.
@@ -164,6 +182,25 @@ impl Audit {
         let cells = || self.tables.iter().flat_map(|table| &table.cells);
         Agreement::ALL.map(|a| (a, cells().filter(|cell| cell.agreement == a).count()))
     }
+}
+
+/// Results in the order of the items, by as many threads as there are processors.
+///
+/// Plain threads: a cell may wait for a result that another one computes, and a thread of rayon's pool
+/// that waits takes up other cells, which may then wait for the first.
+fn in_parallel<T: Sync, R: Send>(items: &[T], f: impl Fn(&T) -> R + Sync) -> Vec<R> {
+    let next = AtomicUsize::new(0);
+    let work = || -> Vec<(usize, R)> {
+        let indices = std::iter::from_fn(|| Some(next.fetch_add(1, Ordering::Relaxed)));
+        indices.take_while(|&i| i < items.len()).map(|i| (i, f(&items[i]))).collect()
+    };
+    let threads = std::thread::available_parallelism().map_or(1, usize::from);
+    let mut results: Vec<(usize, R)> = std::thread::scope(|scope| {
+        let workers: Vec<_> = (0..threads).map(|_| scope.spawn(work)).collect();
+        workers.into_iter().flat_map(|w| w.join().expect("no cell panics")).collect()
+    });
+    results.sort_by_key(|(i, _)| *i);
+    results.into_iter().map(|(_, result)| result).collect()
 }
 
 fn located(error: Diagnostic, table: &Table, cell: &Cell) -> Diagnostic {
@@ -200,8 +237,16 @@ fn audit_cell(workbench: &Workbench, cell: &Cell) -> Result<AuditedCell, Diagnos
         finding: summarise(&findings),
         agreement: findings.iter().map(|f| f.agreement).max().unwrap_or(Agreement::NotChecked),
         note: notes.join("; "),
+        certificates: certificates(&findings),
         ranges: findings.into_iter().find_map(|f| f.ranges),
     })
+}
+
+/// The certificates of a cell, each once.
+fn certificates(findings: &[Finding]) -> Vec<String> {
+    let all: std::collections::BTreeSet<&String> =
+        findings.iter().flat_map(|f| &f.certificates).collect();
+    all.into_iter().cloned().collect()
 }
 
 /// The findings of a cell in one text; several of them in the order of the claims.

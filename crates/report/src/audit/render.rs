@@ -74,11 +74,15 @@ impl AuditedCell {
             "agreement": self.agreement.word(),
             "note": self.note,
         });
+        if !self.certificates.is_empty() {
+            cell["certificates"] = json!(self.certificates);
+        }
         if let Some(ranges) = &self.ranges {
             let parameter = &ranges.parameter;
             cell["parameter"] = json!(parameter);
             cell["claimed"] = json!(intervals(&ranges.claimed, parameter));
             cell["proved"] = json!(intervals(&ranges.proved, parameter));
+            cell["refuted"] = json!(intervals(&ranges.refuted, parameter));
             cell["proved_points"] = json!(points(&ranges.proved, parameter));
         }
         cell

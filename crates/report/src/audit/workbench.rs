@@ -1,11 +1,15 @@
 //! What the checks of many cells share: schemes, ladders and norm ranges, each computed once.
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 use std::hash::Hash;
 use std::sync::{Arc, Mutex, OnceLock};
 
 use refinable_algebra::{Parameter, Rational};
-use refinable_analysis::{Budget, Degrees, NormRange, degrees, norm_range, norm_values};
+use refinable_analysis::{
+    Budget, ContinuityRange, Degrees, PointVerdict, Sharpness, certified_range, certified_verdict,
+    continuity_at, continuity_range, degrees, norm_values,
+};
+use refinable_certificate::Certificate;
 use refinable_scheme::{Diagnostic, Scheme, Substitution};
 
 /// How much work an audit may spend.
@@ -17,23 +21,35 @@ pub struct Effort {
     pub budget: Budget,
 }
 
+/// Certificates by name.
+pub type CertificateStore = BTreeMap<String, Certificate>;
+
+/// A result and the name of the certificate that proves it.
+pub type Certified<T> = (T, String);
+
 /// Shared results of an audit, keyed by scheme and substitutions.
 pub struct Workbench {
     /// What may be spent.
     pub effort: Effort,
     ladders: Memo<String, Degrees>,
-    ranges: Memo<(String, usize), NormRange>,
-    values: Memo<(String, usize), Option<Vec<Rational>>>,
+    ranges: Memo<(String, usize), Certified<ContinuityRange>>,
+    verdicts: Memo<(String, usize), Certified<PointVerdict>>,
+    norms: Memo<(String, usize), Option<Vec<Rational>>>,
+    known: CertificateStore,
+    used: Mutex<CertificateStore>,
 }
 
 impl Workbench {
-    /// An empty workbench.
-    pub fn new(effort: Effort) -> Self {
+    /// A workbench with certificates from earlier.
+    pub fn new(effort: Effort, known: CertificateStore) -> Self {
         Workbench {
             effort,
             ladders: Memo::default(),
             ranges: Memo::default(),
-            values: Memo::default(),
+            verdicts: Memo::default(),
+            norms: Memo::default(),
+            known,
+            used: Mutex::default(),
         }
     }
 
@@ -53,19 +69,67 @@ impl Workbench {
         result.expect("degrees exist for every normalised mask")
     }
 
-    /// What norms prove about C^n over the one free parameter of a scheme.
+    /// Where C^n holds over the one free parameter of a scheme.
     ///
     /// # Errors
-    /// As for [`norm_range`].
+    /// As for [`continuity_range`].
     pub fn range(
         &self,
         scheme: &Scheme,
         parameter: &Parameter,
         continuity: usize,
-    ) -> Result<Arc<NormRange>, Diagnostic> {
+    ) -> Result<Arc<Certified<ContinuityRange>>, Diagnostic> {
         self.ranges.get((key(scheme), continuity), || {
-            norm_range(scheme.mask(), parameter, continuity, self.effort.level, self.effort.budget)
+            let name = certificate_name(scheme, continuity);
+            let mask = scheme.mask();
+            let earlier = self
+                .known
+                .get(&name)
+                .and_then(|known| certified_range(mask, parameter, continuity, known));
+            let range = match earlier {
+                Some(range) => range,
+                None => {
+                    let sharpness = Sharpness::default();
+                    continuity_range(scheme.name(), mask, parameter, continuity, &sharpness)?
+                }
+            };
+            self.record(&name, &range.certificate);
+            Ok((range, name))
         })
+    }
+
+    /// Whether a scheme without free parameters is C^n.
+    ///
+    /// # Errors
+    /// As for [`continuity_at`].
+    pub fn verdict(
+        &self,
+        scheme: &Scheme,
+        continuity: usize,
+    ) -> Result<Arc<Certified<PointVerdict>>, Diagnostic> {
+        self.verdicts.get((key(scheme), continuity), || {
+            let name = certificate_name(scheme, continuity);
+            let mask = scheme.mask();
+            let earlier = self.known.get(&name).and_then(|known| {
+                Some((certified_verdict(mask, continuity, known)?, known.clone()))
+            });
+            let (verdict, certificate) = match earlier {
+                Some(found) => found,
+                None => continuity_at(scheme.name(), mask, continuity, &Sharpness::default())?,
+            };
+            self.record(&name, &certificate);
+            Ok((verdict, name))
+        })
+    }
+
+    fn record(&self, name: &str, certificate: &Certificate) {
+        let mut used = self.used.lock().expect("nothing panics under the lock");
+        used.insert(name.to_string(), certificate.clone());
+    }
+
+    /// The certificates that were asked for.
+    pub fn used(&self) -> CertificateStore {
+        self.used.lock().expect("nothing panics under the lock").clone()
     }
 
     /// The norms of a scheme without free parameters.
@@ -77,7 +141,7 @@ impl Workbench {
         scheme: &Scheme,
         continuity: usize,
     ) -> Result<Arc<Option<Vec<Rational>>>, Diagnostic> {
-        self.values.get((key(scheme), continuity), || {
+        self.norms.get((key(scheme), continuity), || {
             norm_values(scheme.mask(), continuity, self.effort.level, self.effort.budget)
         })
     }
@@ -88,6 +152,17 @@ fn key(scheme: &Scheme) -> String {
     let mask = scheme.mask();
     let coefficients: Vec<String> = mask.coefficients().map(|(_, c)| c.to_string()).collect();
     format!("{} {} {}", mask.arity(), mask.support().0, coefficients.join(","))
+}
+
+/// `a3-1f3a9c02-C3`: the name, a fingerprint of the mask, the order.
+fn certificate_name(scheme: &Scheme, continuity: usize) -> String {
+    // FNV-1a over the mask: the same on every machine.
+    let hash = key(scheme).bytes().fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
+        (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
+    });
+    let name: String =
+        scheme.name().chars().filter(char::is_ascii_alphanumeric).take(12).collect();
+    format!("{name}-{:08x}-C{continuity}", hash >> 32)
 }
 
 /// A table of results, each computed by the first thread that asks for it.
@@ -110,7 +185,7 @@ impl<K: Hash + Eq, V> Memo<K, V> {
         let mut slots = self.0.lock().expect("no computation runs under the lock");
         let slot = slots.entry(key).or_default().clone();
         drop(slots);
-        // Only threads that want this very result wait here; `compute` starts no parallel work.
+        // Only threads that want this very result wait here.
         slot.get_or_init(|| compute().map(Arc::new)).clone()
     }
 }

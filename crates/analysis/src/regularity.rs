@@ -1,0 +1,139 @@
+//! The Hölder regularity of a scheme without free parameters.
+
+use refinable_algebra::{Rational, Ring};
+use refinable_certificate::{
+    Certificate, Conclusion, End, FORMAT, Lemma, Number, Polytope, VERSION, verify,
+};
+use refinable_reals::{RealAlgebraic, logarithm};
+use refinable_scheme::{Diagnostic, Normalised};
+use refinable_spectral::{Options, certificate_end, radius};
+
+use crate::line::Line;
+use crate::stability::{Instability, instability};
+
+/// Bits of the logarithms that are taken.
+const BITS: u32 = 60;
+
+/// The Hölder exponent of a scheme: limit functions are `r`-times differentiable in Hölder's sense for
+/// every exponent below `r`.
+#[derive(Clone, Debug)]
+pub struct Regularity {
+    /// `k`, with `σ^k` dividing the symbol exactly.
+    pub divided_order: usize,
+    /// A lower bound for `r`.
+    pub lower: Rational,
+    /// An upper bound, sharp only if the shifts are stable.
+    pub upper: Rational,
+    /// `ρ = 1/scale` for the joint spectral radius of the matrices of `c_{k-1}`, if it is known exactly:
+    /// `r = k - 1 + log_m scale`.
+    pub scale: Option<RealAlgebraic>,
+    /// The word whose product has this growth.
+    pub word: String,
+    /// Whether the shifts are stable, so that the upper bound holds.
+    pub stable: bool,
+    /// The largest `n` for which `r > n`: the scheme is C^n.
+    pub continuity: Option<usize>,
+    /// The proof, checked; only for stable shifts.
+    pub certificate: Option<Certificate>,
+}
+
+/// The Hölder regularity `r = (k-1) - log_m ρ`.
+///
+/// # Errors
+/// Code `parameters` if a parameter is free; `regularity` if no bounds were found.
+///
+/// # Source
+/// Dyn 1992 and, for the converse, stability, see `docs/certificates.md`. Non-negative symbols need
+/// one matrix only (Rioul 1992; Floater and Muntingh 2012).
+pub fn regularity(
+    name: &str,
+    mask: &Normalised,
+    options: &Options,
+) -> Result<Regularity, Diagnostic> {
+    let line = Line::new(name, mask).ok_or_else(|| parameters_free(mask))?;
+    if line.parameter().is_some() {
+        return Err(parameters_free(mask));
+    }
+    let order = line.order();
+    if order == 0 {
+        return Err(Diagnostic::new("regularity", "1 + z does not divide the symbol")
+            .with_hint("such a scheme does not converge"));
+    }
+    let pencil = line.scaled_pencil(order);
+    let stable = matches!(instability(&line), Instability::At(_));
+    let probe = |lemma: Lemma| {
+        let conclusion =
+            Conclusion::Continuity { continuity: 0, proved: Vec::new(), refuted: Vec::new() };
+        verify(&certificate_of(&line, order, conclusion, vec![lemma])).is_ok()
+    };
+    let accept = |p: &Polytope| probe(Lemma::Polytope(Box::new(p.clone())));
+    let nonnegative = |end: &End| probe(Lemma::Nonnegative { end: end.clone() });
+    let found = radius(&pencil, options, &nonnegative, &accept).ok_or_else(|| {
+        Diagnostic::new("regularity", "no bounds for the joint spectral radius were found")
+    })?;
+    let (lower, upper) = bounds(&line, order, &found.from, &found.to);
+    let certificate = stable.then(|| {
+        let conclusion = Conclusion::Regularity {
+            from: certificate_end(&found.from),
+            to: certificate_end(&found.to),
+            holder: [Number(lower.clone()), Number(upper.clone())],
+        };
+        let mut lemmas = found.lemmas.clone();
+        lemmas.push(Lemma::Stable { except: Vec::new() });
+        certificate_of(&line, order, conclusion, lemmas)
+    });
+    if let Some(Err(invalid)) = certificate.as_ref().map(verify) {
+        let message = format!("the certificate found does not hold: {invalid}");
+        return Err(Diagnostic::new("certificate", message));
+    }
+    let scale = (found.from == found.to).then(|| found.from.clone());
+    Ok(Regularity {
+        divided_order: order,
+        continuity: continuity(&line, order, &found.from),
+        lower,
+        upper,
+        scale,
+        word: found.word.to_string(),
+        stable,
+        certificate,
+    })
+}
+
+fn parameters_free(mask: &Normalised) -> Diagnostic {
+    let names: Vec<String> = mask.parameters().iter().map(ToString::to_string).collect();
+    let message = format!("free parameters: {}", names.join(", "));
+    Diagnostic::new("parameters", message).with_hint("set them with --set NAME=VALUE, or use --sweep")
+}
+
+fn certificate_of(
+    line: &Line,
+    order: usize,
+    conclusion: Conclusion,
+    lemmas: Vec<Lemma>,
+) -> Certificate {
+    let family = line.family(order);
+    Certificate { format: FORMAT.into(), version: VERSION, family, conclusion, lemmas }
+}
+
+/// `k - 1 + log_m` of both ends, outward; exact for powers of `m`.
+fn bounds(
+    line: &Line,
+    order: usize,
+    from: &RealAlgebraic,
+    to: &RealAlgebraic,
+) -> (Rational, Rational) {
+    let width = Rational::new(1.into(), refinable_algebra::Integer::from(1) << 80usize);
+    let whole = Rational::from_i64(order as i64 - 1);
+    let lower = logarithm(&from.enclosure(&width).0, line.arity(), BITS).0;
+    let upper = logarithm(&to.enclosure(&width).1, line.arity(), BITS).1;
+    (&whole + lower, whole + upper)
+}
+
+/// The largest `n < r`: `ρ < m^(k-1-n)`, that is `1/ρ > m^(n+1-k)`, decided exactly.
+fn continuity(line: &Line, order: usize, from: &RealAlgebraic) -> Option<usize> {
+    let arity = Rational::from_i64(line.arity() as i64);
+    (0..order).rev().find(|&n| {
+        let threshold = Rational::one() / arity.power((order - 1 - n) as u32);
+        *from > RealAlgebraic::from(threshold)
+    })
+}

@@ -1,0 +1,90 @@
+//! `regularity`: the Hölder exponent of a scheme without free parameters.
+
+use refinable_algebra::{Rational, Ring, decimal};
+use refinable_analysis::Regularity;
+use refinable_scheme::Scheme;
+use serde_json::{Value, json};
+
+use crate::grid::{Cell, Document, Grid};
+use crate::sharp::proof_text;
+
+/// The regularity of a scheme as a table.
+pub fn regularity_table(scheme: &Scheme, found: &Regularity) -> Document {
+    let arity = scheme.mask().arity();
+    let exact = exact_text(found, arity);
+    let (lower, upper) = outward(found);
+    let value = match &exact {
+        Some(text) => text.clone(),
+        None => format!("[{}, {}]", decimal(&lower, 12), decimal(&upper, 12)),
+    };
+    let continuity = found.continuity.map_or("not proved to converge".into(), |n| format!("C^{n}"));
+    let rows = [
+        ("Hölder exponent", value),
+        ("decimals", format!("≈ {}", decimal(&lower, 10))),
+        ("implies", continuity.clone()),
+        ("leading word", found.word.clone()),
+        ("factors 1 + z divided out", found.divided_order.to_string()),
+        ("stable shifts", if found.stable { "yes".into() } else { "no".to_string() }),
+    ];
+    let mut remarks = Vec::new();
+    if !found.stable {
+        remarks.push("without stable shifts the exponent is a lower bound only".into());
+    }
+    if let Some(certificate) = &found.certificate {
+        remarks.push(format!("proof checked: {}", proof_text(certificate)));
+    }
+    let rows = rows.map(|(name, value)| vec![Cell::text(name), Cell::text(value)]);
+    let grid = Grid {
+        id: "regularity".into(),
+        caption: format!("Regularity of {}", scheme.name()),
+        header: ["quantity", "value"].map(String::from).to_vec(),
+        rows: rows.to_vec(),
+        remarks,
+    };
+    let mut holder = json!({
+        "lower": lower.to_string(),
+        "upper": upper.to_string(),
+        "approx": decimal(&lower, 15).parse::<f64>().map_or(Value::Null, Value::from),
+    });
+    if let Some(text) = &exact {
+        holder["exact"] = Value::from(text.clone());
+    }
+    let json = json!({
+        "scheme": scheme.name(),
+        "holder": holder,
+        "continuity": found.continuity,
+        "stable": found.stable,
+        "word": found.word,
+        "divided_order": found.divided_order,
+    });
+    Document { grids: vec![grid], summary: None, json }
+}
+
+/// Both bounds rounded outward to 15 decimals, but equal integers as they are.
+pub fn outward(found: &Regularity) -> (Rational, Rational) {
+    let scale = Rational::from_i64(1_000_000_000_000_000);
+    ((&found.lower * &scale).floor() / &scale, (&found.upper * &scale).ceil() / &scale)
+}
+
+/// `3 - log2(9/8)`: the largest power of the arity taken out of the radius.
+fn exact_text(found: &Regularity, arity: usize) -> Option<String> {
+    let scale = found.scale.as_ref()?;
+    let base = Rational::from_i64(arity as i64);
+    let mut whole = found.divided_order as i64 - 1;
+    if let Some(rational) = scale.as_rational() {
+        let mut radius = Rational::one() / rational;
+        while radius >= base {
+            radius /= &base;
+            whole -= 1;
+        }
+        while radius < Rational::one() {
+            radius *= &base;
+            whole += 1;
+        }
+        if radius == Rational::one() {
+            return Some(whole.to_string());
+        }
+        return Some(format!("{whole} - log{arity}({radius})"));
+    }
+    Some(format!("{whole} + log{arity}({})", scale.exact_form().display("x")))
+}

@@ -1,0 +1,212 @@
+//! `range`: where C^n is proved and where it is refuted, from both sides.
+
+use refinable_algebra::decimal;
+use refinable_analysis::{
+    ContinuityRange, PointVerdict, Sharpness, continuity_range, region_of,
+};
+use refinable_certificate::{Certificate, Conclusion, Lemma};
+use refinable_reals::{ExactForm, Interval, RealAlgebraic, Region};
+use refinable_scheme::{Diagnostic, Scheme};
+use serde_json::{Value, json};
+
+use crate::audit::short;
+use crate::grid::{Cell, Document, Grid};
+use crate::latex;
+use crate::number::{intervals, number};
+use crate::range::{decimals, only_parameter};
+
+/// The exact range of C^n over the one free parameter of a scheme, with the checked proof.
+///
+/// # Errors
+/// Code `parameters` unless exactly one parameter is free and the masks lie on a line.
+pub fn sharp_range(
+    scheme: &Scheme,
+    continuity: usize,
+    sharpness: &Sharpness,
+) -> Result<ContinuityRange, Diagnostic> {
+    let parameter = only_parameter(scheme)?;
+    continuity_range(scheme.name(), scheme.mask(), &parameter, continuity, sharpness)
+}
+
+/// A range as a table: proved, refuted and undecided intervals of the whole line.
+pub fn sharp_range_table(scheme: &Scheme, range: &ContinuityRange) -> Document {
+    let variable = range.parameter.name();
+    let undecided = range.undecided();
+    let mut rows = Vec::new();
+    for (region, verdict) in
+        [(&range.proved, "proved"), (&range.refuted, "refuted"), (&undecided, "undecided")]
+    {
+        rows.extend(region.intervals().iter().map(|part| {
+            let region = Region::interval(part.lower.clone(), part.upper.clone());
+            let exact = if is_short(part) {
+                Cell::math(region.display(variable), &latex::region(&region, variable))
+            } else {
+                Cell::text(short(&region, variable))
+            };
+            vec![Cell::text(verdict), exact, Cell::text(decimals(part))]
+        }));
+    }
+    let poles = range.points.iter().filter(|(_, verdict)| *verdict == PointVerdict::Pole);
+    rows.extend(poles.map(|(t, _)| {
+        let point = Region::point(t.clone());
+        let exact = Cell::math(point.display(variable), &latex::region(&point, variable));
+        vec![Cell::text("undefined"), exact, Cell::text(t.decimal(6))]
+    }));
+    let grid = Grid {
+        id: "range".into(),
+        caption: format!("C^{} of {}", range.continuity, scheme.name()),
+        header: ["verdict", variable, "decimals"].map(String::from).to_vec(),
+        rows,
+        remarks: remarks(range),
+    };
+    Document { grids: vec![grid], summary: None, json: json_of(scheme, range) }
+}
+
+/// Ends beyond this many characters are shown in decimals only.
+const LONGEST: usize = 48;
+
+fn is_short(interval: &Interval) -> bool {
+    let ends = [interval.lower.number(), interval.upper.number()];
+    ends.into_iter().flatten().all(|x| match x.exact_form() {
+        form @ ExactForm::Root { .. } => form.display("x").len() <= LONGEST,
+        _ => true,
+    })
+}
+
+fn json_of(scheme: &Scheme, range: &ContinuityRange) -> Value {
+    let variable = range.parameter.name();
+    let points: Vec<Value> = range
+        .points
+        .iter()
+        .map(|(t, verdict)| json!({"at": number(t, variable), "verdict": word(*verdict)}))
+        .collect();
+    json!({
+        "scheme": scheme.name(),
+        "parameter": variable,
+        "continuity": range.continuity,
+        "proved": intervals(&range.proved, variable),
+        "refuted": intervals(&range.refuted, variable),
+        "undecided": intervals(&range.undecided(), variable),
+        "points": points,
+        "exact": range.is_exact(),
+        "words": words(&range.certificate),
+    })
+}
+
+fn word(verdict: PointVerdict) -> &'static str {
+    match verdict {
+        PointVerdict::Proved => "proved",
+        PointVerdict::Refuted => "refuted",
+        PointVerdict::Unstable => "unstable",
+        PointVerdict::Undecided => "undecided",
+        PointVerdict::Pole => "undefined",
+    }
+}
+
+fn remarks(range: &ContinuityRange) -> Vec<String> {
+    let mut remarks = Vec::new();
+    let order = range.continuity + 1;
+    let indivisible =
+        range.certificate.lemmas.iter().any(|lemma| matches!(lemma, Lemma::Indivisible { .. }));
+    if indivisible {
+        remarks.push(format!("refuted where (1 + z)^{order} does not divide the symbol"));
+    }
+    let words = words(&range.certificate);
+    if !words.is_empty() {
+        remarks.push(format!(
+            "refuted where products along the words {} have spectral radius at least 1",
+            words.join(", ")
+        ));
+    }
+    let unstable: Vec<&RealAlgebraic> = range
+        .points
+        .iter()
+        .filter(|(_, verdict)| *verdict == PointVerdict::Unstable)
+        .map(|(t, _)| t)
+        .collect();
+    if !unstable.is_empty() {
+        remarks.push(
+            "undecided values: the difference scheme is not contractive, but the shifts of the basic \
+             limit function are not stable there"
+                .into(),
+        );
+    }
+    remarks.push(format!("proof checked: {}", proof_text(&range.certificate)));
+    remarks
+}
+
+/// `2 polytopes (7, 18 vertices), 1 norm, 3 words, …`.
+pub fn proof_text(certificate: &Certificate) -> String {
+    let lemmas = &certificate.lemmas;
+    let vertices: Vec<String> = lemmas
+        .iter()
+        .filter_map(|lemma| match lemma {
+            Lemma::Polytope(polytope) => Some(polytope.vertices.len().to_string()),
+            _ => None,
+        })
+        .collect();
+    let count = |kind: fn(&Lemma) -> bool| lemmas.iter().filter(|lemma| kind(lemma)).count();
+    let plural = |n: usize, noun: &str| match n {
+        0 => None,
+        1 => Some(format!("1 {noun}")),
+        _ => Some(format!("{n} {noun}s")),
+    };
+    let polytopes = plural(vertices.len(), "polytope")
+        .map(|text| format!("{text} ({} vertices)", vertices.join(", ")));
+    let parts = [
+        polytopes,
+        plural(count(|l| matches!(l, Lemma::Norm { .. })), "norm"),
+        plural(count(|l| matches!(l, Lemma::Word { .. })), "word interval"),
+        plural(count(|l| matches!(l, Lemma::Indivisible { .. })), "division"),
+        plural(count(|l| matches!(l, Lemma::At { .. })), "single value"),
+        plural(count(|l| matches!(l, Lemma::Reduced { .. })), "reduced mask"),
+        plural(count(|l| matches!(l, Lemma::Nonnegative { .. })), "non-negative symbol"),
+        plural(count(|l| matches!(l, Lemma::Stable { .. })), "stability"),
+    ];
+    parts.into_iter().flatten().collect::<Vec<_>>().join(", ")
+}
+
+/// The words of a certificate, each once, in order.
+fn words(certificate: &Certificate) -> Vec<String> {
+    let mut words: Vec<String> = Vec::new();
+    for lemma in &certificate.lemmas {
+        let inner = match lemma {
+            Lemma::At { lemmas, .. } | Lemma::Reduced { lemmas, .. } => lemmas.as_slice(),
+            other => std::slice::from_ref(other),
+        };
+        for lemma in inner {
+            if let Lemma::Word { word, .. } = lemma
+                && !words.contains(word)
+            {
+                words.push(word.clone());
+            }
+        }
+    }
+    words
+}
+
+/// The theorem of a certificate in one line.
+pub fn statement(certificate: &Certificate) -> String {
+    let family = &certificate.family;
+    match &certificate.conclusion {
+        Conclusion::Continuity { continuity, proved, refuted } => {
+            let variable = family.parameter.as_deref().unwrap_or("");
+            let part = |word: &str, intervals: &[refinable_certificate::Interval]| match intervals {
+                [] => None,
+                _ if variable.is_empty() => Some(word.to_string()),
+                _ => Some(format!("{word} on {}", short(&region_of(intervals), variable))),
+            };
+            let parts = [part("proved", proved), part("refuted", refuted)];
+            let text = parts.into_iter().flatten().collect::<Vec<_>>().join(", ");
+            let text = if text.is_empty() { "nothing decided".into() } else { text };
+            let along = family.curve.as_ref().map(|curve| {
+                format!(" (a line of masks along which {} runs)", curve.parameter)
+            });
+            format!("{} is C^{continuity}: {text}{}", family.name, along.unwrap_or_default())
+        }
+        Conclusion::Regularity { holder: [lower, upper], .. } => {
+            let (lower, upper) = (decimal(&lower.0, 12), decimal(&upper.0, 12));
+            format!("{} has Hölder exponent in [{lower}, {upper}]", family.name)
+        }
+    }
+}
