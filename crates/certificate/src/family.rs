@@ -79,8 +79,11 @@ impl AffineSymbol {
         let degree = q.degree().unwrap_or(0);
         ensure(degree < self.p.len(), "the factor does not divide")?;
         let squares = Polynomial::new(with_squares(q.coefficients()));
-        let bits = largest_bits(&self.p) + polynomial_bits(&q);
-        work.products(2 * self.p.len() * self.p.len(), bits, bits)?;
+        // If the division is not exact, every step may add the length of the divisor.
+        let steps = self.p.len() - degree;
+        let (bits, step) = (largest_bits(&self.p), polynomial_bits(&q) + 1);
+        work.products(self.p.len() * (degree + 1), bits, step)?;
+        work.products(steps * (2 * degree + 1), bits + (steps as u64 + 2) * step, step)?;
         // The divisor is primitive: the quotient has integer coefficients if it is one.
         let Some(quotient) = Polynomial::new(self.p.clone()).times(&q).divide_exactly(&squares)
         else {

@@ -204,6 +204,28 @@ fn hostile_polytopes() {
     change("end", json!("1/0"));
 }
 
+/// A division that is not exact, of which the rests grow with every step.
+#[test]
+fn a_factor_with_long_coefficients() {
+    let mut row = vec![Integer::from(1)];
+    for _ in 0..100 {
+        row.push(Integer::from(0));
+        (1..row.len()).rev().for_each(|i| row[i] = &row[i] + &row[i - 1]);
+    }
+    row.resize(140, Integer::from(0));
+    let mut family = constant_family(&[1, 1], 1, 100);
+    let scale = Integer::from(1) << 99;
+    family["mask"] = json!(row.iter().map(|c| [format!("{c}/{scale}")]).collect::<Vec<_>>());
+    assert_eq!(survive_value(&certificate(&family, &nothing(1), &json!([]))), Ok(()));
+    for degree in [1, 2, 20, 60, 139, 140, 1200] {
+        let mut factor = vec!["7".repeat(2000); degree];
+        factor.push("1".into());
+        let reduced =
+            json!({"kind": "reduced", "value": "0", "factor": factor, "order": 100, "lemmas": []});
+        assert!(survive_value(&certificate(&family, &nothing(1), &json!([reduced]))).is_err());
+    }
+}
+
 /// Small files with a lot of work behind them.
 #[test]
 fn bombs() {
