@@ -25,7 +25,7 @@ pub struct Sharpness {
 
 impl Default for Sharpness {
     fn default() -> Self {
-        Sharpness { level: 3, spectral: Options::default() }
+        Sharpness { level: 6, spectral: Options::default() }
     }
 }
 
@@ -488,18 +488,16 @@ fn word_at(x: &Rational, word: &str) -> Lemma {
     Lemma::Word { pencil: Pencil::Parameter, word: word.into(), from: end.clone(), to: end }
 }
 
-/// Short rational ends inside an open interval, a twentieth of its length from its own.
+/// Short rational ends inside an open interval, at most a five-hundredth of its length from its own.
 fn shrunk(a: &RealAlgebraic, b: &RealAlgebraic) -> (Rational, Rational) {
     let width = Rational::new(1.into(), Integer::from(1) << 60usize);
     let (a, b) = (a.enclosure(&width).1, b.enclosure(&width).0);
-    let length = &b - &a;
-    let tenth = &length / Rational::from_i64(10);
+    let step = (&b - &a) / Rational::from_i64(1000);
     let near = |from: Rational, to: Rational| {
         RealAlgebraic::from(from).rational_between(&RealAlgebraic::from(to))
     };
-    let lower = near(&a + &tenth / Rational::from_i64(2), &a + &tenth);
-    let upper = near(&b - &tenth, &b - &tenth / Rational::from_i64(2));
-    (lower, upper)
+    let two = Rational::from_i64(2);
+    (near(&a + &step, &a + &step * &two), near(&b - &step * &two, &b - &step))
 }
 
 fn intervals(region: &Region) -> Vec<Interval> {

@@ -288,6 +288,9 @@ fn samples(interval: &Interval) -> Vec<f64> {
     }
 }
 
+/// How many closed intervals are tried between two numbers.
+const MOST_TRIES: usize = 16;
+
 /// Polytopes on parts of an interval.
 #[derive(Default)]
 struct Cover {
@@ -298,21 +301,34 @@ struct Cover {
 
 impl Cover {
     /// Adds polytopes on closed intervals that together make up `[a, b]`, as far as the effort goes:
-    /// one for all if possible, else halves.
-    fn fill(&mut self, search: &Search, a: &Rational, b: &Rational, depth: u32) {
-        if a >= b {
-            return;
-        }
-        match search.closed(a, b) {
-            Closed::Proved(polytope) => self.polytopes.push(*polytope),
-            Closed::Faster(word) => self.faster.push(word),
-            Closed::Nothing if depth > 0 => {
-                let (x, y) = (approximate(a), approximate(b));
-                let middle = short_dyadic((x + y) / 2.0, (y - x) / 8.0);
-                self.fill(search, a, &middle, depth - 1);
-                self.fill(search, &middle, b, depth - 1);
+    /// each as long as possible, then from its end on.
+    fn fill(&mut self, search: &Search, a: &Rational, b: &Rational) {
+        let shortest = (b - a) * rational(1, 1 << 22);
+        let mut reached = a.clone();
+        let mut step = b - a;
+        for _ in 0..MOST_TRIES {
+            if reached >= *b || step < shortest {
+                return;
             }
-            Closed::Nothing => {}
+            let rest = b - &reached;
+            let next = if step >= rest {
+                b.clone()
+            } else {
+                let (x, y) = (approximate(&reached), approximate(&step));
+                short_dyadic(x + y, y / 8.0)
+            };
+            match search.closed(&reached, &next) {
+                Closed::Proved(polytope) => {
+                    self.polytopes.push(*polytope);
+                    step = (&next - &reached) * rational(2, 1);
+                    reached = next;
+                }
+                Closed::Faster(word) => {
+                    self.faster.push(word);
+                    return;
+                }
+                Closed::Nothing => step = step.min(rest) / rational(3, 1),
+            }
         }
     }
 }
@@ -354,7 +370,7 @@ fn prove(
     cover.polytopes.extend(from_upper.1);
     solid.push((from_upper.0.clone(), from_upper.0));
     for (l, r) in solid {
-        cover.fill(search, &reached, &l, 7);
+        cover.fill(search, &reached, &l);
         reached = reached.max(r);
     }
     cover

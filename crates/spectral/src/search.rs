@@ -16,6 +16,8 @@ use crate::word::Word;
 const MARGINS: [f64; 2] = [1e-5, 1e-7];
 /// The largest number of vertices of a polytope, mirror images not counted.
 const MOST_VERTICES: usize = 1500;
+/// The same for a polytope on a closed interval, of which there may be many.
+const CLOSED_VERTICES: usize = 600;
 /// How far from an end towards the goal one polytope may reach: first this,
 const FIRST_REACH: f64 = 0.25;
 /// then if possible farther,
@@ -122,30 +124,31 @@ impl Search<'_> {
     pub fn closed(&self, a: &Rational, b: &Rational) -> Closed {
         let at_a = self.pencil.rounded_at(approximate(a));
         let at_b = self.pencil.rounded_at(approximate(b));
-        let mut starts = Vec::new();
-        let mut fastest_growth = 0.0f64;
-        for matrices in [&at_a, &at_b] {
-            let (word, growth) = fastest(matrices, self.words);
-            if growth == 0.0 {
-                continue;
-            }
-            if growth >= 1.0 {
-                return Closed::Faster(word.clone());
-            }
-            fastest_growth = fastest_growth.max(growth);
-            let matrix = product(matrices, word);
-            let bound = COMPANION * growth.powi(word.letters().len() as i32);
-            starts.extend(large_eigenvectors(&matrix, bound).into_iter().map(Start::Free));
+        let (word_a, growth_a) = fastest(&at_a, self.words);
+        let (word_b, growth_b) = fastest(&at_b, self.words);
+        // Grown where growth is fastest; the images at the other end are then mostly inside.
+        let ((slow, at_slow), (fast, at_fast), word, growth) = if growth_a > growth_b {
+            ((b, &at_b), (a, &at_a), word_a, growth_a)
+        } else {
+            ((a, &at_a), (b, &at_b), word_b, growth_b)
+        };
+        if growth >= 1.0 {
+            return Closed::Faster(word.clone());
         }
-        let ends = Ends { inner: &at_a, end: &at_b };
+        let ends = Ends { inner: at_slow, end: at_fast };
         if self.too_far_apart(&ends) {
             return Closed::Nothing;
         }
-        let margin = (0.1 * (1.0 - fastest_growth)).clamp(1e-11, 1e-2);
-        let effort = Effort { margin, vertices: 400 };
-        let Some(body) = self.full_body(&ends, starts, effort) else { return Closed::Nothing };
-        let end = End::Rational(Number(b.clone()));
-        let found = self.write(&body, a, end, &ends, &CLOSED);
+        let matrix = product(at_fast, word);
+        let bound = COMPANION * growth.powi(word.letters().len() as i32);
+        let starts = large_eigenvectors(&matrix, bound).into_iter().map(Start::Free);
+        let margin = (0.1 * (1.0 - growth)).clamp(1e-11, 1e-2);
+        let effort = Effort { margin, vertices: CLOSED_VERTICES };
+        let Some(body) = self.full_body(&ends, starts.collect(), effort) else {
+            return Closed::Nothing;
+        };
+        let end = End::Rational(Number(fast.clone()));
+        let found = self.write(&body, slow, end, &ends, &CLOSED);
         found.map_or(Closed::Nothing, |found| Closed::Proved(Box::new(found)))
     }
 
