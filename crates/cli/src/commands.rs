@@ -75,15 +75,13 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
                 norm_table(&scheme, usize::from(*continuity), *level, Budget::default())?;
             output::print(&document, format.format)?;
         }
-        Command::Tables { audit, certificates, claims, tables, format } => {
+        Command::Tables { audit, certificates, fresh, claims, tables, format } => {
             let all = match claims {
                 Some(path) => read_claims(path)?,
                 None => Paper::builtin()?.tables,
             };
-            let known = match certificates {
-                Some(dir) => files::certificates(dir)?,
-                None => CertificateStore::new(),
-            };
+            let known =
+                if *fresh { CertificateStore::new() } else { files::certificates(certificates)? };
             let audit = run_audit(&select(all, tables)?, *audit, known)?;
             output::print(&audit.document(), format.format)?;
         }

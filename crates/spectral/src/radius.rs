@@ -97,12 +97,13 @@ fn bracket(search: &Search, word: &Word, to: &RealAlgebraic, upper: Lemma) -> Op
     })
 }
 
+/// Expansion at one scale, which is expansion from there on.
 fn word_lemma(word: &Word, from: &RealAlgebraic) -> Lemma {
     Lemma::Word {
         pencil: certificate::Pencil::Scale,
         word: word.to_string(),
         from: Some(certificate_end(from)),
-        to: None,
+        to: Some(certificate_end(from)),
     }
 }
 

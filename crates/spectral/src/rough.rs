@@ -11,30 +11,40 @@ use crate::word::Word;
 pub(crate) struct Product {
     matrix: Matrix<Polynomial<Integer>>,
     factor: Integer,
+    /// `J Π_u` and its factor, if the matrices are mirrored and the word is `u` followed by its mirror
+    /// image: then `Π_w = (J Π_u)²`.
+    root: Option<(Matrix<Polynomial<Integer>>, Integer)>,
 }
 
 impl Product {
     /// The product of the cleared matrices along the word.
-    pub fn new(
-        cleared: &(Integer, Vec<Matrix<Polynomial<Integer>>>),
-        word: &Word,
-    ) -> Self {
+    pub fn new(cleared: &(Integer, Vec<Matrix<Polynomial<Integer>>>), word: &Word) -> Self {
         let (denominator, matrices) = cleared;
         let d = matrices[0].shape().0;
-        let letters = word.letters().iter().map(|&letter| &matrices[usize::from(letter)]);
-        let matrix = letters.fold(Matrix::identity(d), |product, m| m.times(&product));
-        Product { matrix, factor: denominator.power(word.letters().len() as u32) }
+        let along = |letters: &[u8]| {
+            let factors = letters.iter().map(|&letter| &matrices[usize::from(letter)]);
+            factors.fold(Matrix::identity(d), |product, m| m.times(&product))
+        };
+        let factor = |length: usize| denominator.power(length as u32);
+        let letters = word.letters();
+        let half = &letters[..letters.len() / 2];
+        let root = (are_mirrored(matrices) && word.is_its_mirror_image(matrices.len())).then(|| {
+            let product = along(half);
+            let turned = Matrix::from_fn(d, d, |i, j| product.entry(d - 1 - i, j).clone());
+            (turned, factor(half.len()))
+        });
+        Product { matrix: along(letters), factor: factor(letters.len()), root }
     }
 
-    /// `det(I - sign Π_w)`, up to a positive factor.
-    pub fn determinant(&self, sign: i32) -> Polynomial<Integer> {
-        let (d, _) = self.matrix.shape();
-        let shifted = Matrix::from_fn(d, d, |i, j| {
-            let entry = self.matrix.entry(i, j);
-            let entry = if sign > 0 { entry.negated() } else { entry.clone() };
-            if i == j { entry.plus(&Polynomial::constant(self.factor.clone())) } else { entry }
-        });
-        shifted.determinant()
+    /// Polynomials whose product is `det(I - sign Π_w)`, up to a positive factor.
+    pub fn determinants(&self, sign: i32) -> Vec<Polynomial<Integer>> {
+        match &self.root {
+            // 1 - λ² = (1 - λ)(1 + λ)
+            Some((root, factor)) if sign > 0 => {
+                [1, -1].map(|sign| determinant(root, factor, sign)).to_vec()
+            }
+            _ => vec![determinant(&self.matrix, &self.factor, sign)],
+        }
     }
 
     /// `det(λ D^l I - D^l Π_w)` as a polynomial in `λ`.
@@ -47,28 +57,56 @@ impl Product {
     }
 }
 
+/// `det(factor I - sign M)`.
+fn determinant(
+    matrix: &Matrix<Polynomial<Integer>>,
+    factor: &Integer,
+    sign: i32,
+) -> Polynomial<Integer> {
+    let (d, _) = matrix.shape();
+    let shifted = Matrix::from_fn(d, d, |i, j| {
+        let entry = matrix.entry(i, j);
+        let entry = if sign > 0 { entry.negated() } else { entry.clone() };
+        if i == j { entry.plus(&Polynomial::constant(factor.clone())) } else { entry }
+    });
+    shifted.determinant()
+}
+
+/// Whether `B_{m-1-ε} = J B_ε J`.
+fn are_mirrored(matrices: &[Matrix<Polynomial<Integer>>]) -> bool {
+    let d = matrices[0].shape().0;
+    let mirror = |m: &Matrix<Polynomial<Integer>>| {
+        Matrix::from_fn(d, d, |i, j| m.entry(d - 1 - i, d - 1 - j).clone())
+    };
+    matrices.iter().zip(matrices.iter().rev()).all(|(a, b)| mirror(a) == *b)
+}
+
 /// Where a real eigenvalue of modulus at least one shows in a sign: `det(I - Π_w) ≤ 0` or
-/// `det(I + Π_w) ≤ 0`, with the polynomials for `+1` and `-1`.
+/// `det(I + Π_w) ≤ 0`, with factors of the determinants for `+1` and `-1`.
 pub(crate) struct SignSet {
-    pub determinants: [(i32, Polynomial<Integer>); 2],
+    pub determinants: Vec<(i32, Polynomial<Integer>)>,
     pub region: Region,
 }
 
 /// The closed set on which the signs of `det(I ∓ Π_w)` show that `ρ(Π_w) ≥ 1` (each has the sign of
 /// `Π (1 ∓ λ)`, which is positive if all real eigenvalues are inside the unit interval).
 pub(crate) fn sign_set(product: &Product) -> SignSet {
-    let determinants = [1, -1].map(|sign| (sign, product.determinant(sign)));
-    let region = Region::union_of(determinants.iter().map(|(_, p)| not_positive(p)));
-    SignSet { determinants, region }
+    let factors = [1, -1].map(|sign| (sign, product.determinants(sign)));
+    let region = Region::union_of(factors.iter().map(|(_, factors)| not_positive(factors)));
+    let determinants =
+        factors.into_iter().flat_map(|(sign, factors)| factors.into_iter().map(move |p| (sign, p)));
+    SignSet { determinants: determinants.collect(), region }
 }
 
-/// `{x : p(x) ≤ 0}`.
-fn not_positive(p: &Polynomial<Integer>) -> Region {
-    if p.is_zero() {
+/// Where the product of the polynomials is zero or negative.
+fn not_positive(factors: &[Polynomial<Integer>]) -> Region {
+    if factors.iter().any(Ring::is_zero) {
         return Region::line();
     }
-    let roots = real_roots(p);
-    union_of_gaps(&roots, |sample| p.sign_at(sample).is_lt())
+    let roots = Region::points(factors.iter().flat_map(real_roots)).ends();
+    union_of_gaps(&roots, |sample| {
+        factors.iter().filter(|p| p.sign_at(sample).is_lt()).count() % 2 == 1
+    })
 }
 
 /// The closed set on which `ρ(Π_w(x)) ≥ 1`, exactly.
@@ -79,9 +117,8 @@ fn not_positive(p: &Polynomial<Integer>) -> Region {
 pub(crate) fn rough_set(product: &Product) -> Region {
     let characteristic = product.characteristic();
     let mut cuts = Region::empty();
-    let crossings =
-        [product.determinant(1), product.determinant(-1), inner_determinant(&characteristic)];
-    for p in crossings {
+    let real = [product.determinants(1), product.determinants(-1)].concat();
+    for p in real.into_iter().chain([inner_determinant(&characteristic)]) {
         if p.is_zero() {
             return Region::line();
         }

@@ -52,6 +52,12 @@ impl Word {
         Word(self.rotations().chain([self.0.clone()]).min().unwrap_or_default())
     }
 
+    /// Whether the second half is the first with `ε` replaced by `m-1-ε`.
+    pub(crate) fn is_its_mirror_image(&self, letters: usize) -> bool {
+        let (first, second) = self.0.split_at(self.0.len() / 2);
+        self.0.len().is_multiple_of(2) && Word(first.to_vec()).mirrored(letters).0 == second
+    }
+
     /// The word with `ε` replaced by `m-1-ε`.
     fn mirrored(&self, letters: usize) -> Word {
         Word(self.0.iter().map(|&letter| letters as u8 - 1 - letter).collect())

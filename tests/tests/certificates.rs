@@ -1,0 +1,48 @@
+//! The committed certificates: all hold, and none holds when its statement is changed.
+
+use std::fs;
+use std::path::Path;
+
+use refinable_certificate::{Certificate, Conclusion, Interval, verify};
+
+fn committed() -> Vec<(String, Vec<u8>)> {
+    let dir = Path::new(env!("CARGO_MANIFEST_DIR")).join("../reports/certificates");
+    let mut files: Vec<_> = fs::read_dir(dir)
+        .unwrap()
+        .map(|entry| entry.unwrap().path())
+        .map(|path| (path.display().to_string(), fs::read(&path).unwrap()))
+        .collect();
+    files.sort();
+    files
+}
+
+#[test]
+fn all_committed_certificates_hold() {
+    let files = committed();
+    assert!(files.len() > 50, "only {} certificates", files.len());
+    for (name, bytes) in files {
+        let certificate = Certificate::read(&bytes).unwrap_or_else(|e| panic!("{name}: {e}"));
+        verify(&certificate).unwrap_or_else(|e| panic!("{name}: {e}"));
+    }
+}
+
+/// What is proved, claimed to be refuted, and the other way round.
+#[test]
+fn no_certificate_proves_the_opposite() {
+    let small = committed().into_iter().filter(|(_, bytes)| bytes.len() < 20_000);
+    let mut changed = 0;
+    for (name, bytes) in small {
+        let mut certificate = Certificate::read(&bytes).unwrap();
+        let Conclusion::Continuity { proved, refuted, .. } = &mut certificate.conclusion else {
+            continue;
+        };
+        let long = |intervals: &[Interval]| !intervals.is_empty();
+        if !long(proved) && !long(refuted) {
+            continue;
+        }
+        std::mem::swap(proved, refuted);
+        changed += 1;
+        assert!(verify(&certificate).is_err(), "{name}");
+    }
+    assert!(changed > 20, "only {changed} certificates were changed");
+}

@@ -1,0 +1,169 @@
+//! Sharp ranges and regularity against values of other authors, against each other, and against
+//! norms by refining data.
+
+use refinable_algebra::{
+    Parameter, ParameterFraction, ParameterPolynomial, Polynomial, Rational, Ring, decimal, integer,
+    rational,
+};
+use refinable_analysis::{
+    Budget, ContinuityRange, Options, PointVerdict, Regularity, Sharpness, continuity_at,
+    continuity_range, norm_range, regularity,
+};
+use refinable_reals::{Region, real_roots};
+use refinable_scheme::{Scheme, Substitution};
+use refinable_tests::{difference_symbol, iterated_norm};
+
+fn scheme(text: &str) -> Scheme {
+    Scheme::resolve(text, 2).unwrap()
+}
+
+fn at(family: &Scheme, parameter: &str, value: &Rational) -> Scheme {
+    let value = ParameterFraction::from(ParameterPolynomial::constant(value.clone()));
+    family.with(&[Substitution::new(Parameter::new(parameter), value)]).unwrap()
+}
+
+fn range(family: &Scheme, parameter: &str, continuity: usize) -> ContinuityRange {
+    let parameter = Parameter::new(parameter);
+    let sharpness = Sharpness::default();
+    continuity_range(family.name(), family.mask(), &parameter, continuity, &sharpness).unwrap()
+}
+
+fn exponent(scheme: &Scheme) -> Regularity {
+    regularity(scheme.name(), scheme.mask(), &Options::default()).unwrap()
+}
+
+/// Hechler, Mößner and Reif 2009: C^1 iff 0 < ω < ω*, 32ω³ + 4ω - 1 = 0, ω = -β.
+#[test]
+fn the_four_point_scheme_is_c1_exactly_up_to_the_known_tension() {
+    let found = range(&scheme("i4"), "beta", 1);
+    let end = real_roots(&Polynomial::new([1, 4, 0, 32].map(integer).to_vec())).remove(0);
+    assert_eq!(found.proved, Region::open(end.clone(), rational(0, 1)));
+    assert_eq!(found.refuted, found.proved.complement());
+    assert!(found.is_exact() && found.undecided().is_empty());
+    assert_eq!(found.proved.display("beta"), "(root(32*beta^3 + 4*beta + 1, 1), 0)");
+}
+
+/// A B-spline of degree d has Hölder exponent d, and is C^(d-1) but not C^d.
+#[test]
+fn splines_are_as_regular_as_their_degree() {
+    for degree in 1..=20 {
+        let spline = scheme(&format!("bspline{degree}"));
+        let found = exponent(&spline);
+        let exactly = Rational::from_i64(degree);
+        assert_eq!((&found.lower, &found.upper), (&exactly, &exactly), "degree {degree}");
+        assert_eq!(found.continuity, Some(degree as usize - 1));
+        assert!(found.stable && found.scale.is_some());
+    }
+}
+
+/// Deslauriers and Dubuc; Eirola 1992; Daubechies 1992, for 4 to 20 points.
+#[test]
+fn deslauriers_dubuc_exponents() {
+    let known = [(4, "2"), (6, "2.8301"), (8, "3.5511"), (10, "4.1936")];
+    for points in (4..=20).step_by(2) {
+        let found = exponent(&scheme(&format!("dd{points}")));
+        assert!(&found.upper - &found.lower <= rational(1, 1_000_000_000), "{points} points");
+        if let Some((_, text)) = known.iter().find(|(p, _)| *p == points) {
+            assert_eq!(decimal(&found.lower, text.len().max(2) as u32 - 1), *text);
+        }
+    }
+}
+
+/// With r = 3 - log2(9/8): 2 to the power of 5 - r is 9/2.
+#[test]
+fn the_six_point_scheme_has_an_exact_exponent() {
+    assert_eq!(exponent(&scheme("dd6")).scale, Some(rational(2, 9).into()));
+}
+
+/// r > n exactly where C^n is proved, at values inside, outside and near the ends; where C^n is
+/// refuted all norms are at least 1 by the oracle.
+#[test]
+fn ranges_and_regularity_agree() {
+    let mut decided = 0;
+    for (name, parameter, highest) in
+        [("a2", "alpha", 1), ("a4", "alpha", 3), ("a6", "alpha", 4), ("i4", "beta", 1), ("i6", "beta", 2)]
+    {
+        let family = scheme(name);
+        let ranges: Vec<ContinuityRange> =
+            (0..=highest).map(|n| range(&family, parameter, n)).collect();
+        let values = (-7..=7).map(|k| rational(k * k * k, 343 * 5)).chain([rational(1, 61)]);
+        for value in values {
+            let member = at(&family, parameter, &value);
+            let found = exponent(&member);
+            for (n, range) in ranges.iter().enumerate() {
+                let whole = Rational::from_i64(n as i64);
+                if range.proved.contains_rational(&value) {
+                    assert!(found.lower > whole, "{name} {value}: r > {n}");
+                    decided += 1;
+                }
+                if range.refuted.contains_rational(&value) && found.stable {
+                    assert!(found.lower <= whole, "{name} {value}: r <= {n}");
+                    assert_norms_at_least_one(&member, n);
+                    decided += 1;
+                }
+            }
+        }
+    }
+    assert!(decided > 150, "only {decided} cases were decided");
+}
+
+fn assert_norms_at_least_one(member: &Scheme, continuity: usize) {
+    let mask: Vec<Rational> =
+        member.mask().numerator().coefficients().iter().map(|c| c.as_constant().unwrap()).collect();
+    let scale = member.mask().denominator().as_constant().unwrap();
+    let mask: Vec<Rational> = mask.iter().map(|c| c / &scale).collect();
+    if let Some(c) = difference_symbol(&mask, 2, continuity) {
+        for level in 1..=5 {
+            assert!(iterated_norm(&c, 2, level) >= rational(1, 1), "{} level {level}", member.name());
+        }
+    }
+}
+
+#[test]
+fn what_norms_prove_is_inside_and_nothing_is_both_proved_and_refuted() {
+    for (name, parameter, continuity) in
+        [("a2", "alpha", 0), ("a4", "alpha", 2), ("a6", "alpha", 3), ("i4", "beta", 1), ("a8", "alpha", 4)]
+    {
+        let family = scheme(name);
+        let sharp = range(&family, parameter, continuity);
+        let parameter = Parameter::new(parameter);
+        let norms = norm_range(family.mask(), &parameter, continuity, 4, Budget::default()).unwrap();
+        assert!(norms.proved.is_subset(&sharp.proved), "{name} C^{continuity}");
+        assert!(sharp.proved.intersection(&sharp.refuted).is_empty());
+    }
+}
+
+/// (1+z)((1+z²)/2)³ is C² although (1+z)² does not divide it: without stability nothing is refuted
+/// by division.
+#[test]
+fn division_refutes_only_stable_schemes() {
+    let dilated = scheme("1/8*(1+z)*(1+z^2)^3");
+    let verdict = |n| {
+        let (verdict, _) =
+            continuity_at("dilated", dilated.mask(), n, &Sharpness::default()).unwrap();
+        verdict
+    };
+    assert_eq!(verdict(0), PointVerdict::Proved);
+    assert_ne!(verdict(1), PointVerdict::Refuted);
+    assert_ne!(verdict(2), PointVerdict::Refuted);
+}
+
+/// At α = 1/2 the symbol of a2 is a hat function's, spread: continuous and no more. The reduced mask
+/// shows it.
+#[test]
+fn reduction_settles_an_unstable_value() {
+    let family = scheme("a2");
+    assert!(range(&family, "alpha", 1).refuted.contains_rational(&rational(1, 2)));
+}
+
+/// A family along a curve: the paper's β(α) of S_{a3}, a line in the coefficients.
+#[test]
+fn a_curve_is_a_line_of_masks() {
+    let set = [Substitution::parse("beta=(8*alpha-1)/(16*(1-alpha))").unwrap()];
+    let family = Scheme::resolve_with("a3", 2, &set).unwrap();
+    let found = range(&family, "alpha", 3);
+    for value in [rational(3, 16), rational(1, 4), rational(1, 10)] {
+        let member = at(&family, "alpha", &value);
+        assert_eq!(found.proved.contains_rational(&value), exponent(&member).lower > rational(3, 1));
+    }
+}
