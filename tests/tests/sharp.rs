@@ -2,8 +2,8 @@
 //! norms by refining data.
 
 use refinable_algebra::{
-    Parameter, ParameterFraction, ParameterPolynomial, Polynomial, Rational, Ring, decimal, integer,
-    rational,
+    Parameter, ParameterFraction, ParameterPolynomial, Polynomial, Rational, Ring, decimal,
+    integer, rational,
 };
 use refinable_analysis::{
     Budget, ContinuityRange, Options, PointVerdict, Regularity, Sharpness, continuity_at,
@@ -80,9 +80,13 @@ fn the_six_point_scheme_has_an_exact_exponent() {
 #[test]
 fn ranges_and_regularity_agree() {
     let mut decided = 0;
-    for (name, parameter, highest) in
-        [("a2", "alpha", 1), ("a4", "alpha", 3), ("a6", "alpha", 4), ("i4", "beta", 1), ("i6", "beta", 2)]
-    {
+    for (name, parameter, highest) in [
+        ("a2", "alpha", 1),
+        ("a4", "alpha", 3),
+        ("a6", "alpha", 4),
+        ("i4", "beta", 1),
+        ("i6", "beta", 2),
+    ] {
         let family = scheme(name);
         let ranges: Vec<ContinuityRange> =
             (0..=highest).map(|n| range(&family, parameter, n)).collect();
@@ -114,20 +118,29 @@ fn assert_norms_at_least_one(member: &Scheme, continuity: usize) {
     let mask: Vec<Rational> = mask.iter().map(|c| c / &scale).collect();
     if let Some(c) = difference_symbol(&mask, 2, continuity) {
         for level in 1..=5 {
-            assert!(iterated_norm(&c, 2, level) >= rational(1, 1), "{} level {level}", member.name());
+            assert!(
+                iterated_norm(&c, 2, level) >= rational(1, 1),
+                "{} level {level}",
+                member.name()
+            );
         }
     }
 }
 
 #[test]
 fn what_norms_prove_is_inside_and_nothing_is_both_proved_and_refuted() {
-    for (name, parameter, continuity) in
-        [("a2", "alpha", 0), ("a4", "alpha", 2), ("a6", "alpha", 3), ("i4", "beta", 1), ("a8", "alpha", 4)]
-    {
+    for (name, parameter, continuity) in [
+        ("a2", "alpha", 0),
+        ("a4", "alpha", 2),
+        ("a6", "alpha", 3),
+        ("i4", "beta", 1),
+        ("a8", "alpha", 4),
+    ] {
         let family = scheme(name);
         let sharp = range(&family, parameter, continuity);
         let parameter = Parameter::new(parameter);
-        let norms = norm_range(family.mask(), &parameter, continuity, 4, Budget::default()).unwrap();
+        let norms =
+            norm_range(family.mask(), &parameter, continuity, 4, Budget::default()).unwrap();
         assert!(norms.proved.is_subset(&sharp.proved), "{name} C^{continuity}");
         assert!(sharp.proved.intersection(&sharp.refuted).is_empty());
     }
@@ -164,6 +177,9 @@ fn a_curve_is_a_line_of_masks() {
     let found = range(&family, "alpha", 3);
     for value in [rational(3, 16), rational(1, 4), rational(1, 10)] {
         let member = at(&family, "alpha", &value);
-        assert_eq!(found.proved.contains_rational(&value), exponent(&member).lower > rational(3, 1));
+        assert_eq!(
+            found.proved.contains_rational(&value),
+            exponent(&member).lower > rational(3, 1)
+        );
     }
 }

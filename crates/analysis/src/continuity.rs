@@ -2,7 +2,8 @@
 
 use refinable_algebra::{GcdDomain, Integer, Parameter, Polynomial, Rational, Ring};
 use refinable_certificate::{
-    Certificate, Conclusion, End, FORMAT, Interval, Lemma, Number, Pencil, Polytope, VERSION, verify,
+    Certificate, Conclusion, End, FORMAT, Interval, Lemma, Number, Pencil, Polytope, VERSION,
+    verify,
 };
 use refinable_reals::{Bound, RealAlgebraic, Region, real_roots};
 use refinable_scheme::{Diagnostic, Normalised};
@@ -146,7 +147,8 @@ impl ContinuityRange {
         certificate: Certificate,
     ) -> Result<Self, Diagnostic> {
         check(&certificate)?;
-        let Conclusion::Continuity { continuity: n, proved, refuted } = &certificate.conclusion else {
+        let Conclusion::Continuity { continuity: n, proved, refuted } = &certificate.conclusion
+        else {
             return Err(Diagnostic::new("certificate", "it is not about continuity"));
         };
         if *n != continuity {
@@ -165,8 +167,11 @@ impl ContinuityRange {
         let open = proved.union(&refuted).complement();
         let poles = Region::points(line.poles());
         for t in isolated(&open.difference(&poles)) {
-            let verdict =
-                if unstable.contains(&t) { PointVerdict::Unstable } else { PointVerdict::Undecided };
+            let verdict = if unstable.contains(&t) {
+                PointVerdict::Unstable
+            } else {
+                PointVerdict::Undecided
+            };
             points.push((t, verdict));
         }
         points.sort_by(|a, b| a.0.cmp(&b.0));
@@ -355,7 +360,8 @@ impl<'a> Proof<'a> {
         let doubtful: Vec<RealAlgebraic> =
             exceptions.iter().filter(|x| self.refuted.contains(x)).cloned().collect();
         self.refuted = self.refuted.difference(&Region::points(exceptions.iter().cloned()));
-        self.lemmas.push(Lemma::Stable { except: exceptions.iter().map(certificate_end).collect() });
+        self.lemmas
+            .push(Lemma::Stable { except: exceptions.iter().map(certificate_end).collect() });
         for x in doubtful {
             if let Some(lemma) = x.as_rational().and_then(|x| self.reduced(x)) {
                 self.lemmas.push(lemma);

@@ -14,10 +14,10 @@
 
 mod budget;
 mod classification;
+mod continuity;
 mod contractivity;
 mod degrees;
 mod difference;
-mod continuity;
 mod line;
 mod moebius;
 mod stability;
@@ -30,15 +30,15 @@ mod sublevel;
 
 pub use budget::Budget;
 pub use classification::{Classification, classify};
-pub use contractivity::{NormRange, Work, norm_range, norm_values};
-pub use degrees::{Degrees, GenerationDegree, ReproductionDegree, Stratum, degrees};
-pub use difference::{ClearedSymbol, DifferenceSymbol};
 pub use continuity::{
     ContinuityRange, PointVerdict, Sharpness, certified_range, certified_verdict, continuity_at,
     continuity_range, region_of,
 };
+pub use contractivity::{NormRange, Work, norm_range, norm_values};
+pub use degrees::{Degrees, GenerationDegree, ReproductionDegree, Stratum, degrees};
+pub use difference::{ClearedSymbol, DifferenceSymbol};
 pub use line::Line;
 pub use norm::{Comparison, Norm, NormRow};
 pub use piecewise::RowCondition;
-pub use regularity::{Regularity, regularity};
 pub use refinable_spectral::Options;
+pub use regularity::{Regularity, regularity};

@@ -78,8 +78,7 @@ impl Line {
     /// If `σ^(n+1)` does not divide the symbol.
     pub(crate) fn difference_symbol(&self, continuity: usize) -> ClearedSymbol {
         let scale = Rational::from_i64(self.arity as i64).power(continuity as u32);
-        let (quotient, remainder) =
-            self.symbol().divide_by_geometric(self.arity, continuity + 1);
+        let (quotient, remainder) = self.symbol().divide_by_geometric(self.arity, continuity + 1);
         assert!(remainder.is_zero(), "the order divides");
         let affine = quotient.map(|c| c.scaled(&scale));
         let entries = affine.coefficients().iter().flat_map(Polynomial::coefficients);
@@ -170,9 +169,8 @@ impl Line {
     /// The largest `k` for which `σ^k` divides the symbol everywhere on the line.
     pub fn order(&self) -> usize {
         let parts = [&self.base, &self.direction];
-        let divides = |k: usize| {
-            parts.iter().all(|part| part.divide_by_geometric(self.arity, k).1.is_zero())
-        };
+        let divides =
+            |k: usize| parts.iter().all(|part| part.divide_by_geometric(self.arity, k).1.is_zero());
         (1..).take_while(|&k| divides(k)).last().unwrap_or(0)
     }
 

@@ -32,7 +32,8 @@ impl<'a> Moebius<'a> {
         cuts.extend(self.pole());
         cuts.sort();
         cuts.dedup();
-        let bound = |t: Option<&RealAlgebraic>| t.map_or(Bound::Infinite, |t| Bound::Open(t.clone()));
+        let bound =
+            |t: Option<&RealAlgebraic>| t.map_or(Bound::Infinite, |t| Bound::Open(t.clone()));
         let gaps = (0..=cuts.len()).filter_map(|i| {
             let (lower, upper) = (i.checked_sub(1).map(|i| &cuts[i]), cuts.get(i));
             let x = self.value(&sample_between(lower, upper));
@@ -119,7 +120,10 @@ mod tests {
         let inversion = Moebius::new(&p, &q);
         let region = Region::open(rational(0, 1), rational(2, 1));
         assert_eq!(inversion.preimage(&region).display("t"), "(1/2, ∞)");
-        let region = Region::interval(Bound::Closed(rational(-1, 1).into()), Bound::Open(rational(1, 1).into()));
+        let region = Region::interval(
+            Bound::Closed(rational(-1, 1).into()),
+            Bound::Open(rational(1, 1).into()),
+        );
         assert_eq!(inversion.preimage(&region).display("t"), "(-∞, -1] ∪ (1, ∞)");
     }
 

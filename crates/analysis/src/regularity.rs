@@ -102,7 +102,8 @@ pub fn regularity(
 fn parameters_free(mask: &Normalised) -> Diagnostic {
     let names: Vec<String> = mask.parameters().iter().map(ToString::to_string).collect();
     let message = format!("free parameters: {}", names.join(", "));
-    Diagnostic::new("parameters", message).with_hint("set them with --set NAME=VALUE, or use --sweep")
+    Diagnostic::new("parameters", message)
+        .with_hint("set them with --set NAME=VALUE, or use --sweep")
 }
 
 fn certificate_of(

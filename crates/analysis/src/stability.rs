@@ -75,7 +75,8 @@ fn step(a: &Polynomial<Integer>) -> Option<Polynomial<Integer>> {
     let whole = Symbol { p: a.clone(), q: Polynomial::zero() };
     let common = whole.half(0).p.gcd(&whole.half(1).p);
     // Zero is no common zero: powers of w only shift.
-    let tail: Vec<Integer> = common.coefficients().iter().skip_while(|c| c.is_zero()).cloned().collect();
+    let tail: Vec<Integer> =
+        common.coefficients().iter().skip_while(|c| c.is_zero()).cloned().collect();
     Some(Polynomial::new(tail)).filter(|q| !q.is_constant())
 }
 
@@ -191,7 +192,8 @@ fn irrational_cycles(line: &Line) -> Option<Vec<RealAlgebraic>> {
         return None;
     }
     let near = Rational::new(integer(1), integer(1) << 60usize);
-    let candidates = roots(&resultant.cleared().1).into_iter().filter(|x| x.as_rational().is_none());
+    let candidates =
+        roots(&resultant.cleared().1).into_iter().filter(|x| x.as_rational().is_none());
     let exceptions = candidates.filter(|x| {
         let x = x.enclosure(&near).0;
         let sum = [1, 2, 4].map(|k| squared_modulus(&turned(&x, k)));
@@ -235,7 +237,9 @@ fn sylvester(p: &Polynomial<Rational>, m: usize, q: &Polynomial<Rational>, n: us
     let entry = |i: usize, j: usize| {
         let (polynomial, shift, degree) = if i < n { (&p, i, m) } else { (&q, i - n, n) };
         let position = (j + degree).checked_sub(shift + degree);
-        position.filter(|k| *k <= degree).map_or_else(Integer::zero, |k| polynomial.coefficient(degree - k))
+        position
+            .filter(|k| *k <= degree)
+            .map_or_else(Integer::zero, |k| polynomial.coefficient(degree - k))
     };
     let determinant = Matrix::from_fn(m + n, m + n, entry).determinant();
     Rational::new(determinant, dp.power(n as u32).times(&dq.power(m as u32)))
@@ -276,9 +280,8 @@ fn gcd(a: usize, b: usize) -> usize {
 
 /// `Φ_n` as a polynomial over Z\[x\].
 fn cyclotomic(n: usize) -> Bivariate {
-    let minus_one = |n: usize| {
-        Polynomial::monomial(integer(1), n).minus(&Polynomial::constant(integer(1)))
-    };
+    let minus_one =
+        |n: usize| Polynomial::monomial(integer(1), n).minus(&Polynomial::constant(integer(1)));
     let product = (1..n)
         .filter(|d| n.is_multiple_of(*d))
         .fold(Polynomial::constant(integer(1)), |product, d| product.times(&integer_cyclotomic(d)));

@@ -98,13 +98,6 @@ pub enum Command {
     Tables {
         #[command(flatten)]
         audit: AuditArguments,
-        /// Certificates to use where they hold, instead of searching for proofs; ignored if there is no
-        /// such directory
-        #[arg(long, value_name = "DIR", default_value = "reports/certificates")]
-        certificates: PathBuf,
-        /// Search for all proofs afresh, which takes minutes
-        #[arg(long)]
-        fresh: bool,
         /// Claims to check instead of the built-in paper's
         #[arg(long, value_name = "FILE")]
         claims: Option<PathBuf>,
@@ -142,8 +135,15 @@ pub enum ReportAction {
 }
 
 /// How much work an audit may do.
-#[derive(Args, Clone, Copy, Debug)]
+#[derive(Args, Clone, Debug)]
 pub struct AuditArguments {
+    /// Certificates to use where they hold, instead of searching for proofs; ignored if there is no
+    /// such directory
+    #[arg(long, value_name = "DIR", default_value = "reports/certificates")]
+    pub certificates: PathBuf,
+    /// Search for all proofs afresh, which takes minutes
+    #[arg(long)]
+    pub fresh: bool,
     /// The highest level of the norms
     #[arg(long, value_name = "L", default_value_t = 6, value_parser = clap::value_parser!(u32).range(1..))]
     pub level: u32,

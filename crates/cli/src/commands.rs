@@ -11,8 +11,8 @@ use refinable_analysis::{Budget, Options, Sharpness, continuity_at, regularity};
 use refinable_certificate::{Certificate, verify};
 use refinable_papers::{Claims, Paper, Table};
 use refinable_report::{
-    Audit, CERTIFICATES, CertificateStore, Effort, Site, Sweep, degree_table, norm_table, proof_text,
-    range_table, regularity_table, report_site, sharp_range, sharp_range_table, show,
+    Audit, CERTIFICATES, CertificateStore, Effort, Site, Sweep, degree_table, norm_table,
+    proof_text, range_table, regularity_table, report_site, sharp_range, sharp_range_table, show,
 };
 use refinable_scheme::{Scheme, Substitution};
 
@@ -75,14 +75,13 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
                 norm_table(&scheme, usize::from(*continuity), *level, Budget::default())?;
             output::print(&document, format.format)?;
         }
-        Command::Tables { audit, certificates, fresh, claims, tables, format } => {
+        Command::Tables { audit, claims, tables, format } => {
             let all = match claims {
                 Some(path) => read_claims(path)?,
                 None => Paper::builtin()?.tables,
             };
-            let known =
-                if *fresh { CertificateStore::new() } else { files::certificates(certificates)? };
-            let audit = run_audit(&select(all, tables)?, *audit, known)?;
+            let known = known_certificates(audit)?;
+            let audit = run_audit(&select(all, tables)?, audit, known)?;
             output::print(&audit.document(), format.format)?;
         }
         Command::Report { action } => return report(action),
@@ -179,10 +178,18 @@ fn select(all: Vec<Table>, ids: &[String]) -> Result<Vec<Table>, Failure> {
     Ok(all.into_iter().filter(|t| ids.is_empty() || ids.contains(&t.id)).collect())
 }
 
+fn known_certificates(arguments: &AuditArguments) -> Result<CertificateStore, Failure> {
+    if arguments.fresh {
+        Ok(CertificateStore::new())
+    } else {
+        files::certificates(&arguments.certificates)
+    }
+}
+
 /// Audits with a progress bar on a terminal, silently elsewhere.
 fn run_audit(
     tables: &[Table],
-    arguments: AuditArguments,
+    arguments: &AuditArguments,
     known: CertificateStore,
 ) -> Result<Audit, Failure> {
     let cells: usize = tables.iter().map(|table| table.cells.len()).sum();
@@ -202,9 +209,13 @@ fn run_audit(
 fn report(action: &ReportAction) -> Result<ExitCode, Failure> {
     let (ReportAction::Build { dir, audit } | ReportAction::Check { dir, audit }) = action;
     let paper = Paper::builtin()?;
+    files::expect_directory(dir, matches!(action, ReportAction::Build { .. }))?;
     // Certificates that hold need not be searched for again; those that do not are.
-    let known = files::certificates(&dir.join(CERTIFICATES))?;
-    let site: Site = report_site(&paper, &run_audit(&paper.tables, *audit, known)?);
+    let mut known = known_certificates(audit)?;
+    if !audit.fresh {
+        known.extend(files::certificates(&dir.join(CERTIFICATES))?);
+    }
+    let site: Site = report_site(&paper, &run_audit(&paper.tables, audit, known)?);
     if let ReportAction::Build { .. } = action {
         files::write_site(dir, &site)?;
         eprintln!("{} files written to {}", site.len(), dir.display());

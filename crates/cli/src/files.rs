@@ -49,16 +49,25 @@ fn publish(file: NamedTempFile, path: &Path) -> Result<(), Failure> {
     file.persist(path).map(drop).map_err(|error| Failure::file(path, &error.error))
 }
 
+/// Whether a place is a directory, or at least can become one: asked before work that takes long.
+///
+/// # Errors
+/// A place that is something else.
+pub fn expect_directory(dir: &Path, or_nothing: bool) -> Result<(), Failure> {
+    if dir.is_dir() || (or_nothing && !dir.exists()) {
+        return Ok(());
+    }
+    let hint = format!("`refinable report build {}` writes one", dir.display());
+    let message = format!("{} is no directory", dir.display());
+    Err(Failure::new("file", message, if or_nothing { "name a directory".into() } else { hint }))
+}
+
 /// How a directory differs from a site: one line for each file that is missing, different, or
 /// stands among the generated ones without belonging there.
 ///
 /// # Errors
 /// A directory that cannot be read.
 pub fn differences(dir: &Path, site: &Site) -> Result<Vec<String>, Failure> {
-    if !dir.is_dir() {
-        let hint = format!("`refinable report build {}` writes one", dir.display());
-        return Err(Failure::new("file", format!("{} is no directory", dir.display()), hint));
-    }
     let mut lines = Vec::new();
     for (name, text) in site {
         match fs::read_to_string(dir.join(name)) {

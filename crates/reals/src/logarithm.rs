@@ -42,7 +42,11 @@ fn binary(x: &Rational, bits: u32) -> (Rational, Rational) {
     let upper = digits(fixed.ceil().to_integer(), bits, precision, true);
     let unit = Rational::new(integer(1), integer(1) << bits as usize);
     let whole = Rational::from_i64(exponent);
-    let upper = if mantissa == Rational::one() { Rational::zero() } else { (upper + Rational::one()) * &unit };
+    let upper = if mantissa == Rational::one() {
+        Rational::zero()
+    } else {
+        (upper + Rational::one()) * &unit
+    };
     (&whole + lower * unit, whole + upper)
 }
 
@@ -54,7 +58,7 @@ fn digits(mut m: Integer, bits: u32, precision: usize, up: bool) -> Rational {
         let square = &m * &m;
         let floor = &square >> precision;
         m = if up { floor + integer(1) } else { floor };
-        sum = sum << 1usize;
+        sum <<= 1usize;
         if m >= two {
             sum += integer(1);
             m = if up { (m + integer(1)) >> 1usize } else { m >> 1usize };

@@ -22,9 +22,9 @@ mod picture;
 mod range;
 mod regularity;
 mod sharp;
-mod sweep;
 mod show;
 mod site;
+mod sweep;
 
 pub use audit::{Agreement, Audit, AuditedCell, AuditedTable, CertificateStore, Effort, Ranges};
 pub use degrees::degree_table;
@@ -33,6 +33,6 @@ pub use norm::norm_table;
 pub use range::range_table;
 pub use regularity::{outward, regularity_table};
 pub use sharp::{proof_text, sharp_range, sharp_range_table, statement};
-pub use sweep::Sweep;
 pub use show::show;
 pub use site::{CERTIFICATES, Site, report_site};
+pub use sweep::Sweep;

@@ -1,9 +1,7 @@
 //! `range`: where C^n is proved and where it is refuted, from both sides.
 
 use refinable_algebra::decimal;
-use refinable_analysis::{
-    ContinuityRange, PointVerdict, Sharpness, continuity_range, region_of,
-};
+use refinable_analysis::{ContinuityRange, PointVerdict, Sharpness, continuity_range, region_of};
 use refinable_certificate::{Certificate, Conclusion, Lemma};
 use refinable_reals::{ExactForm, Interval, RealAlgebraic, Region};
 use refinable_scheme::{Diagnostic, Scheme};
@@ -114,7 +112,7 @@ fn remarks(range: &ContinuityRange) -> Vec<String> {
     let words = words(&range.certificate);
     if !words.is_empty() {
         remarks.push(format!(
-            "refuted where products along the words {} have spectral radius at least 1",
+            "refuted where the product along a word has spectral radius at least 1: {}",
             words.join(", ")
         ));
     }
@@ -135,26 +133,17 @@ fn remarks(range: &ContinuityRange) -> Vec<String> {
     remarks
 }
 
-/// `2 polytopes (7, 18 vertices), 1 norm, 3 words, …`.
+/// `2 polytopes, 1 norm, 3 word intervals, …`.
 pub fn proof_text(certificate: &Certificate) -> String {
     let lemmas = &certificate.lemmas;
-    let vertices: Vec<String> = lemmas
-        .iter()
-        .filter_map(|lemma| match lemma {
-            Lemma::Polytope(polytope) => Some(polytope.vertices.len().to_string()),
-            _ => None,
-        })
-        .collect();
     let count = |kind: fn(&Lemma) -> bool| lemmas.iter().filter(|lemma| kind(lemma)).count();
     let plural = |n: usize, noun: &str| match n {
         0 => None,
         1 => Some(format!("1 {noun}")),
         _ => Some(format!("{n} {noun}s")),
     };
-    let polytopes = plural(vertices.len(), "polytope")
-        .map(|text| format!("{text} ({} vertices)", vertices.join(", ")));
     let parts = [
-        polytopes,
+        plural(count(|l| matches!(l, Lemma::Polytope(_))), "polytope"),
         plural(count(|l| matches!(l, Lemma::Norm { .. })), "norm"),
         plural(count(|l| matches!(l, Lemma::Word { .. })), "word interval"),
         plural(count(|l| matches!(l, Lemma::Indivisible { .. })), "division"),
@@ -199,9 +188,10 @@ pub fn statement(certificate: &Certificate) -> String {
             let parts = [part("proved", proved), part("refuted", refuted)];
             let text = parts.into_iter().flatten().collect::<Vec<_>>().join(", ");
             let text = if text.is_empty() { "nothing decided".into() } else { text };
-            let along = family.curve.as_ref().map(|curve| {
-                format!(" (a line of masks along which {} runs)", curve.parameter)
-            });
+            let along = family
+                .curve
+                .as_ref()
+                .map(|curve| format!(" (a line of masks along which {} runs)", curve.parameter));
             format!("{} is C^{continuity}: {text}{}", family.name, along.unwrap_or_default())
         }
         Conclusion::Regularity { holder: [lower, upper], .. } => {

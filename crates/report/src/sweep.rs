@@ -222,7 +222,8 @@ fn parse(request: &str, parameter: &str) -> Result<(Rational, Rational, u32), Di
         None => (rest, Some(STEPS)),
     };
     let steps = steps.filter(|steps| (1..=MOST_STEPS).contains(steps));
-    let steps = steps.ok_or_else(|| error(format!("the steps are a number from 1 to {MOST_STEPS}")))?;
+    let steps =
+        steps.ok_or_else(|| error(format!("the steps are a number from 1 to {MOST_STEPS}")))?;
     let (from, to) = interval
         .split_once("..")
         .and_then(|(a, b)| Some((parse_rational(a.trim())?, parse_rational(b.trim())?)))

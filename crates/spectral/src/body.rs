@@ -90,7 +90,8 @@ impl Body {
         let (mut at_end, mut at_inner) = (0, 0);
         loop {
             // All images at the end first; most images at the other end are then inside too.
-            let (side, from) = match (at_end < body.vertices.len(), at_inner < body.vertices.len()) {
+            let (side, from) = match (at_end < body.vertices.len(), at_inner < body.vertices.len())
+            {
                 (true, _) => (Side::End, &mut at_end),
                 (false, true) => (Side::Inner, &mut at_inner),
                 (false, false) => return Some(body),

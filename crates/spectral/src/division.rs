@@ -62,8 +62,7 @@ pub fn divide(
 ) -> Division {
     let words = Word::necklaces(pencil.letters(), options.longest_word, pencil.is_mirrored());
     let mut expansion = Expansion::new(pencil, &words);
-    let search =
-        Search { pencil, kind: certificate::Pencil::Parameter, words: &words, accept };
+    let search = Search { pencil, kind: certificate::Pencil::Parameter, words: &words, accept };
     loop {
         let components = expansion.region().complement().intervals();
         let proofs: Vec<Cover> = components
@@ -282,9 +281,11 @@ fn samples(interval: &Interval) -> Vec<f64> {
         }
         (Some(a), None) => (-10..40).step_by(3).map(|k| a + 2f64.powi(k)).collect(),
         (None, Some(b)) => (-10..40).step_by(3).map(|k| b - 2f64.powi(k)).collect(),
-        (None, None) => {
-            (-20..40).step_by(4).flat_map(|k| [2f64.powi(k), -(2f64.powi(k))]).chain([0.0]).collect()
-        }
+        (None, None) => (-20..40)
+            .step_by(4)
+            .flat_map(|k| [2f64.powi(k), -(2f64.powi(k))])
+            .chain([0.0])
+            .collect(),
     }
 }
 

@@ -45,7 +45,8 @@ pub(crate) fn fastest<'a>(matrices: &[DMatrix<f64>], words: &'a [Word]) -> (&'a 
 /// and whether no other does as well.
 pub(crate) fn fixed_vector(matrix: &DMatrix<f64>, sign: i32) -> Option<DVector<f64>> {
     let d = matrix.nrows();
-    let svd = (DMatrix::identity(d, d) * f64::from(sign) - matrix).try_svd(false, true, 1e-15, 10_000)?;
+    let svd =
+        (DMatrix::identity(d, d) * f64::from(sign) - matrix).try_svd(false, true, 1e-15, 10_000)?;
     let rows = svd.v_t?;
     let (least, _) = svd.singular_values.argmin();
     let doubtful = svd.singular_values.iter().filter(|s| **s < 1e-9).count() > 1;

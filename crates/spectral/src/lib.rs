@@ -1,4 +1,21 @@
-//! The joint spectral radius of a pencil of matrices.
+//! The joint spectral radius of sets of matrices that are affine in one variable.
+//!
+//! | module | noun |
+//! |---|---|
+//! | `pencil` | [`Pencil`]: the matrices `P_ε + x Q_ε` |
+//! | `word` | [`Word`]: products of matrices, necklaces of letters |
+//! | `rough`, `schur` | from below: where a product has spectral radius at least one, exactly |
+//! | `leading` | which words grow fastest, in floats |
+//! | `gauge` | the norm whose ball is a polytope: a linear program, in floats |
+//! | `body` | growing a polytope that all matrices map into itself, in floats |
+//! | `rounding` | from floats to the integers of a certificate |
+//! | `search` | polytopes on closed intervals and up to exact ends |
+//! | `division` | [`divide`]: the line, divided at radius one; [`decide`] at a single value |
+//! | `radius` | [`radius()`](radius()): the radius of one set of matrices |
+//! | `float` | from exact numbers to floats and back |
+//!
+//! This is the one room with floats. They find proofs; a proof counts once the independent checker
+//! has accepted it.
 
 mod body;
 mod division;

@@ -1,10 +1,8 @@
 //! Sets of matrices that are affine in one variable.
 
-use nalgebra::DMatrix;
 use crate::float::approximate;
-use refinable_algebra::{
-    Integer, Matrix, Polynomial, Rational, Ring, clear_denominators,
-};
+use nalgebra::DMatrix;
+use refinable_algebra::{Integer, Matrix, Polynomial, Rational, Ring, clear_denominators};
 
 /// The matrices `B_ε(x) = P_ε + x Q_ε`, all of one size `d × d`.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -62,7 +60,8 @@ impl Pencil {
     /// A common denominator `D` and the matrices `D B_ε` as polynomials in `x`.
     pub(crate) fn cleared(&self) -> (Integer, Vec<Matrix<Polynomial<Integer>>>) {
         let d = self.dimension();
-        let positions = (0..self.letters()).flat_map(|e| (0..d * d).map(move |k| (e, k / d, k % d)));
+        let positions =
+            (0..self.letters()).flat_map(|e| (0..d * d).map(move |k| (e, k / d, k % d)));
         let entries = positions
             .flat_map(|(e, i, j)| [self.constant[e].entry(i, j), self.slope[e].entry(i, j)]);
         let (denominator, cleared) = clear_denominators(entries);
@@ -80,8 +79,7 @@ impl Pencil {
 
 fn is_mirrored(matrices: &[Matrix<Rational>]) -> bool {
     let d = matrices[0].shape().0;
-    let mirror = |m: &Matrix<Rational>| {
-        Matrix::from_fn(d, d, |i, j| m.entry(d - 1 - i, d - 1 - j).clone())
-    };
+    let mirror =
+        |m: &Matrix<Rational>| Matrix::from_fn(d, d, |i, j| m.entry(d - 1 - i, d - 1 - j).clone());
     matrices.iter().zip(matrices.iter().rev()).all(|(a, b)| mirror(a) == *b)
 }

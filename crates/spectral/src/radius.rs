@@ -110,7 +110,9 @@ fn word_lemma(word: &Word, from: &RealAlgebraic) -> Lemma {
 fn crossings_of(pencil: &Pencil, word: &Word) -> Vec<Crossing> {
     let signs = sign_set(&Product::new(&pencil.cleared(), word));
     let crossings = signs.determinants.into_iter();
-    crossings.map(|(sign, determinant)| Crossing { word: word.clone(), sign, determinant }).collect()
+    crossings
+        .map(|(sign, determinant)| Crossing { word: word.clone(), sign, determinant })
+        .collect()
 }
 
 /// The scale near `approximation` at which a word has the eigenvalue 1 or -1.

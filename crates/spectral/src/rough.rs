@@ -28,11 +28,12 @@ impl Product {
         let factor = |length: usize| denominator.power(length as u32);
         let letters = word.letters();
         let half = &letters[..letters.len() / 2];
-        let root = (are_mirrored(matrices) && word.is_its_mirror_image(matrices.len())).then(|| {
-            let product = along(half);
-            let turned = Matrix::from_fn(d, d, |i, j| product.entry(d - 1 - i, j).clone());
-            (turned, factor(half.len()))
-        });
+        let root =
+            (are_mirrored(matrices) && word.is_its_mirror_image(matrices.len())).then(|| {
+                let product = along(half);
+                let turned = Matrix::from_fn(d, d, |i, j| product.entry(d - 1 - i, j).clone());
+                (turned, factor(half.len()))
+            });
         Product { matrix: along(letters), factor: factor(letters.len()), root }
     }
 
@@ -51,9 +52,7 @@ impl Product {
     fn characteristic(&self) -> Polynomial<Polynomial<Integer>> {
         let p = self.matrix.characteristic_polynomial();
         let scaled = p.coefficients().iter().enumerate();
-        Polynomial::new(
-            scaled.map(|(k, c)| c.scaled(&self.factor.power(k as u32))).collect(),
-        )
+        Polynomial::new(scaled.map(|(k, c)| c.scaled(&self.factor.power(k as u32))).collect())
     }
 }
 

@@ -28,7 +28,13 @@ pub(crate) struct Span<'a> {
 /// met in the representation of an image of one that is kept.
 pub(crate) fn polytope(body: &Body, span: &Span, precision: Precision) -> Option<Polytope> {
     let rounded = Rounded::new(body, precision);
-    let mut writer = Writer { gauge: rounded.body.gauge(), rounded: &rounded, weight_bits: precision.weight_bits, slack: 1.0, orbit_error: 0.0 };
+    let mut writer = Writer {
+        gauge: rounded.body.gauge(),
+        rounded: &rounded,
+        weight_bits: precision.weight_bits,
+        slack: 1.0,
+        orbit_error: 0.0,
+    };
     let d = body.vertices[0].len();
     let mut units = Vec::new();
     let (mut largest, mut defect) = (0.0f64, 0.0f64);
@@ -48,8 +54,7 @@ pub(crate) fn polytope(body: &Body, span: &Span, precision: Precision) -> Option
         // Rounding errors of an eigenvector, by a wide margin; the checker has the last word.
         writer.orbit_error = 32.0 * d as f64 * 0.5f64.powi(precision.bits as i32);
     }
-    let mut images: Vec<Option<(Vec<Written>, Vec<Option<Written>>)>> =
-        vec![None; body.vertices.len()];
+    let mut images: Vec<Option<Images>> = vec![None; body.vertices.len()];
     let mut kept: Vec<usize> = rounded.orbit_vertices();
     kept.extend(units.iter().flatten().map(|(k, _)| rounded.vertex_of(*k)));
     while let Some(vertex) = kept.pop() {
@@ -59,9 +64,7 @@ pub(crate) fn polytope(body: &Body, span: &Span, precision: Precision) -> Option
         let v = DVector::from_column_slice(&rounded.body.vertices[vertex]);
         let mut inner = Vec::new();
         let mut end = Vec::new();
-        for (letter, (at_inner, at_end)) in
-            span.ends.inner.iter().zip(span.ends.end).enumerate()
-        {
+        for (letter, (at_inner, at_end)) in span.ends.inner.iter().zip(span.ends.end).enumerate() {
             inner.push(writer.image(&(at_inner * &v))?);
             end.push(if body.closes_orbit(vertex, letter) {
                 None
@@ -75,6 +78,9 @@ pub(crate) fn polytope(body: &Body, span: &Span, precision: Precision) -> Option
     }
     Some(rounded.assemble(span, precision, units, images))
 }
+
+/// The images of one vertex at both ends, for each letter; `None` closes an orbit.
+type Images = (Vec<Written>, Vec<Option<Written>>);
 
 /// The body with its vertices rounded.
 struct Rounded {
@@ -106,7 +112,7 @@ impl Rounded {
         span: &Span,
         precision: Precision,
         units: Vec<Vec<(usize, i64)>>,
-        images: Vec<Option<(Vec<Written>, Vec<Option<Written>>)>>,
+        images: Vec<Option<Images>>,
     ) -> Polytope {
         // New indices: kept vertices in their order, mirror images after them.
         let mut position = vec![0; images.len()];

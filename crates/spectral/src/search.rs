@@ -28,6 +28,8 @@ const NEARER: [f64; 3] = [0.06, 0.01, 1e-3];
 const BALANCE: [f64; 9] = [1.0, 0.5, 2.0, 0.25, 4.0, 0.125, 8.0, 1.0 / 32.0, 32.0];
 /// Eigenvectors for eigenvalues above this, against the largest, are among the first vertices.
 const COMPANION: f64 = 0.9;
+/// How many leading words are told apart.
+const MOST_ORBITS: usize = 4;
 /// Directions in which a polytope is thinner than this against its width get additional vertices.
 const THIN: f64 = 1e-4;
 /// The lengths of these.
@@ -77,7 +79,12 @@ pub(crate) enum Closed {
 impl Search<'_> {
     /// A polytope that proves contraction from some rational number up to `end`, exclusive; the
     /// number is as far towards `goal` as one polytope will go.
-    pub fn up_to(&self, end: &RealAlgebraic, crossings: &[Crossing], goal: &Rational) -> Option<Polytope> {
+    pub fn up_to(
+        &self,
+        end: &RealAlgebraic,
+        crossings: &[Crossing],
+        goal: &Rational,
+    ) -> Option<Polytope> {
         let x1 = approximate_root(end);
         let at_end = self.pencil.rounded_at(x1);
         let orbits = leading_orbits(&at_end, end, crossings)?;
@@ -88,7 +95,10 @@ impl Search<'_> {
                 let alone = Ends { inner: &[], end: &at_end };
                 let effort = Effort { margin, vertices: MOST_VERTICES };
                 let Some(body) = self.full_body(&alone, starts.clone(), effort) else { break };
-                let effort = Effort { margin, vertices: (12 * body.vertices.len() + 200).min(MOST_VERTICES) };
+                let effort = Effort {
+                    margin,
+                    vertices: (12 * body.vertices.len() + 200).min(MOST_VERTICES),
+                };
                 let reached = |reach: f64| {
                     let inner = match reach {
                         1.0 => goal.clone(),
@@ -204,7 +214,10 @@ fn leading_orbits(
             Some(Start::Orbit(c.word.clone(), c.sign, v))
         })
         .collect();
-    orbits.filter(|orbits| !orbits.is_empty())
+    let mut orbits = orbits.filter(|orbits| !orbits.is_empty())?;
+    // Where very many words reach one together there is no telling them apart.
+    orbits.truncate(MOST_ORBITS);
+    Some(orbits)
 }
 
 /// Which orbits to begin with: one alone, if the others turn out to be inside; two, with different

@@ -33,15 +33,17 @@ fn check_value(
     claimed: usize,
 ) -> Result<Finding, Diagnostic> {
     let best = maximum::at_value(workbench, scheme)?;
-    let (below, above) = (workbench.verdict(scheme, claimed)?, workbench.verdict(scheme, claimed + 1)?);
+    let (below, above) =
+        (workbench.verdict(scheme, claimed)?, workbench.verdict(scheme, claimed + 1)?);
     let text = match &best {
         Some(best) => format!("C^{} proved: {}", best.continuity, best.witness),
         None => "not proved to converge".into(),
     };
     Ok(match (below.0, above.0) {
         (_, PointVerdict::Proved) => Finding::new(text, Agreement::Stronger),
-        (PointVerdict::Proved, PointVerdict::Refuted) => Finding::new(text, Agreement::Agrees)
-            .noted(format!("not C^{}", claimed + 1)),
+        (PointVerdict::Proved, PointVerdict::Refuted) => {
+            Finding::new(text, Agreement::Agrees).noted(format!("not C^{}", claimed + 1))
+        }
         (PointVerdict::Proved, _) => Finding::new(text, Agreement::Agrees),
         (PointVerdict::Refuted, _) => {
             Finding::new(text, Agreement::Disagrees).noted(format!("C^{claimed} is refuted"))
@@ -108,8 +110,7 @@ fn check_range(
         }
         Agreement::Undecided => {
             let rest = claimed.difference(&range.proved);
-            finding(Agreement::Undecided)
-                .noted(format!("not proved on {}", short(&rest, variable)))
+            finding(Agreement::Undecided).noted(format!("not proved on {}", short(&rest, variable)))
         }
         agreement => finding(agreement),
     })

@@ -5,10 +5,10 @@
 
 use std::cmp::Ordering;
 
-use refinable_analysis::PointVerdict;
 use refinable_algebra::{
     Parameter, ParameterFraction, ParameterPolynomial, Rational, Ring, decimal,
 };
+use refinable_analysis::PointVerdict;
 use refinable_papers::Bound;
 use refinable_reals::{Component, Interval, Point};
 use refinable_scheme::{Diagnostic, Scheme, Substitution};
@@ -45,7 +45,8 @@ pub fn check(
     let excluded = excluded(workbench, scheme, best.continuity + 1)?;
     let at_least = if excluded.is_some() { "" } else { "at least " };
     let text = format!("{at_least}C^{}{}", best.continuity, best.place);
-    let certificates = best.certificates.iter().cloned().chain(excluded.clone().unwrap_or_default());
+    let certificates =
+        best.certificates.iter().cloned().chain(excluded.clone().unwrap_or_default());
     let finding = |agreement| {
         Finding::new(text.clone(), agreement)
             .noted(best.witness.clone())
@@ -58,8 +59,9 @@ pub fn check(
         (Ordering::Greater, Bound::AtLeast, _) => finding(Agreement::Stronger),
         (Ordering::Equal, Bound::AtLeast, _) => finding(Agreement::Agrees),
         (Ordering::Equal, Bound::Equal, true) => finding(Agreement::Agrees).noted(nothing_more),
-        (Ordering::Equal, Bound::Equal, false) => finding(Agreement::Undecided)
-            .noted("attained; not shown to be the maximum"),
+        (Ordering::Equal, Bound::Equal, false) => {
+            finding(Agreement::Undecided).noted("attained; not shown to be the maximum")
+        }
         (Ordering::Less, _, true) => finding(Agreement::Disagrees).noted(nothing_more),
         (Ordering::Less, _, false) => finding(Agreement::Undecided),
     })
@@ -132,8 +134,11 @@ fn norm_witness(norms: &[Rational], continuity: usize) -> String {
         return "by an invariant polytope".into();
     };
     let text = norms[level].to_string();
-    let value =
-        if text.len() <= 16 { format!("= {text}") } else { format!("≈ {}", decimal(&norms[level], 6)) };
+    let value = if text.len() <= 16 {
+        format!("= {text}")
+    } else {
+        format!("≈ {}", decimal(&norms[level], 6))
+    };
     format!("‖c_{continuity}^{}‖ {value}", level + 1)
 }
 

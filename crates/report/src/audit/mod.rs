@@ -15,8 +15,8 @@ use refinable_reals::Region;
 use refinable_scheme::Diagnostic;
 
 pub(crate) use continuity::short;
-pub use workbench::{CertificateStore, Effort};
 use workbench::Workbench;
+pub use workbench::{CertificateStore, Effort};
 
 /// How a finding stands to a claim, from the best to the worst.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]

@@ -160,8 +160,7 @@ fn certificate_name(scheme: &Scheme, continuity: usize) -> String {
     let hash = key(scheme).bytes().fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
         (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
     });
-    let name: String =
-        scheme.name().chars().filter(char::is_ascii_alphanumeric).take(12).collect();
+    let name: String = scheme.name().chars().filter(char::is_ascii_alphanumeric).take(12).collect();
     format!("{name}-{:08x}-C{continuity}", hash >> 32)
 }
 
