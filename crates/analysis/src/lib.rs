@@ -9,6 +9,10 @@
 //! | `piecewise` | [`RowCondition`]: sums of absolute values below a bound, solved exactly |
 //! | `sublevel` | where all rows of a norm are below a bound, by branch and bound |
 //! | `contractivity` | [`NormRange`]: the exact parameter set that norms prove |
+//! | `line`, `moebius` | [`Line`]: families along a line of masks |
+//! | `stability` | where smoothness follows contraction; reduced masks |
+//! | `continuity`, `proof` | [`ContinuityRange`]: where C^n holds and fails, with the certificate |
+//! | `regularity` | [`Regularity`]: the Hölder exponent of one scheme |
 //! | `classification` | [`Classification`]: interpolatory, approximating, combined, relaxed |
 //! | `budget` | [`Budget`]: limits, checked before work starts |
 
@@ -25,6 +29,7 @@ mod stability;
 mod norm;
 mod piecewise;
 mod power;
+mod proof;
 mod regularity;
 mod sublevel;
 

@@ -1,0 +1,294 @@
+//! The search for a proof: where C^n holds and where it fails on a line of masks.
+
+use refinable_algebra::{GcdDomain, Integer, Polynomial, Rational, Ring};
+use refinable_certificate::{
+    Certificate, Conclusion, End, FORMAT, Interval, Lemma, Number, Pencil, Polytope, VERSION,
+    verify,
+};
+use refinable_reals::{Bound, RealAlgebraic, Region, real_roots};
+use refinable_spectral::{Constant, Division, certificate_end, decide, divide};
+
+use crate::continuity::{PointVerdict, Sharpness};
+use crate::contractivity::{Work, level_sets};
+use crate::line::Line;
+use crate::stability::{Instability, instability, reduction};
+
+/// A proof in the making, in the variable `x` of the line.
+pub(crate) struct Proof<'a> {
+    line: &'a Line,
+    order: usize,
+    continuity: usize,
+    sharpness: &'a Sharpness,
+    proved: Region,
+    refuted: Region,
+    lemmas: Vec<Lemma>,
+}
+
+impl<'a> Proof<'a> {
+    pub fn new(line: &'a Line, order: usize, continuity: usize, sharpness: &'a Sharpness) -> Self {
+        Proof {
+            line,
+            order,
+            continuity,
+            sharpness,
+            proved: Region::empty(),
+            refuted: Region::empty(),
+            lemmas: Vec::new(),
+        }
+    }
+
+    /// Whichever way applies.
+    pub fn search(&mut self) {
+        let constant = self.line.parts().1.is_zero();
+        if self.order > self.continuity && !constant {
+            self.divide();
+        } else if self.order > self.continuity {
+            self.only_member();
+        } else if self.order > 0 {
+            self.special_values();
+        }
+    }
+
+    /// `n < k`: the line divided at the joint spectral radius `m^(k-1-n)`.
+    fn divide(&mut self) {
+        let bound = bound(self.line, self.order, self.continuity);
+        let pencil = self.line.pencil(self.order, &bound);
+        let norms = self.norm_intervals();
+        let known: Vec<(Rational, Rational)> =
+            norms.iter().map(|(_, a, b)| (a.clone(), b.clone())).collect();
+        let accept = |polytope: &Polytope| self.accepts(self.line, self.order, polytope);
+        let Division { contracting, expanding, lemmas } =
+            divide(&pencil, &known, &self.sharpness.spectral, &accept);
+        self.lemmas.extend(norms.into_iter().map(|(level, from, to)| Lemma::Norm {
+            level,
+            from: Number(from),
+            to: Number(to),
+        }));
+        self.lemmas.extend(lemmas);
+        self.proved = contracting;
+        self.refuted = expanding;
+        self.restrict_to_stable();
+    }
+
+    /// A scheme without a parameter, placed at zero.
+    fn only_member(&mut self) {
+        let zero = Rational::zero();
+        let (verdict, lemmas) = self.at(&zero);
+        self.record(&zero.into(), verdict);
+        self.lemmas.extend(lemmas);
+    }
+
+    fn record(&mut self, x: &RealAlgebraic, verdict: PointVerdict) {
+        let point = Region::point(x.clone());
+        match verdict {
+            PointVerdict::Proved => self.proved = self.proved.union(&point),
+            PointVerdict::Refuted => self.refuted = self.refuted.union(&point),
+            _ => {}
+        }
+    }
+
+    /// In each part of the set that norms prove, the longest interval that one level proves, a little
+    /// shortened.
+    fn norm_intervals(&self) -> Vec<(u32, Rational, Rational)> {
+        let symbol = self.line.difference_symbol(self.continuity);
+        let levels = level_sets(&symbol, None, self.sharpness.level, &mut Work::default());
+        let parts = Region::union_of(levels.iter().cloned()).intervals();
+        let longest = parts.into_iter().filter_map(|part| {
+            let part = Region::interval(part.lower, part.upper);
+            let candidates = (1..).zip(&levels).flat_map(|(level, region)| {
+                let inside = region.intersection(&part).intervals().into_iter();
+                inside.filter_map(move |interval| {
+                    let (a, b) = (interval.lower.number()?, interval.upper.number()?);
+                    let (a, b) = shrunk(a, b);
+                    Some((level, a, b))
+                })
+            });
+            candidates.max_by(|x, y| (&x.2 - &x.1).cmp(&(&y.2 - &y.1)))
+        });
+        longest.collect()
+    }
+
+    /// Refutes only where the shifts are stable: C^n with `n ≥ 1` does not follow the joint
+    /// spectral radius elsewhere.
+    fn restrict_to_stable(&mut self) {
+        if self.continuity == 0 || self.refuted.is_empty() {
+            return;
+        }
+        let Instability::At(exceptions) = instability(self.line) else {
+            self.refuted = Region::empty();
+            return;
+        };
+        let doubtful: Vec<RealAlgebraic> =
+            exceptions.iter().filter(|x| self.refuted.contains(x)).cloned().collect();
+        self.refuted = self.refuted.difference(&Region::points(exceptions.iter().cloned()));
+        self.lemmas
+            .push(Lemma::Stable { except: exceptions.iter().map(certificate_end).collect() });
+        for x in doubtful {
+            if let Some(lemma) = x.as_rational().and_then(|x| self.reduced(x)) {
+                self.lemmas.push(lemma);
+                self.record(&x, PointVerdict::Refuted);
+            }
+        }
+    }
+
+    /// `n ≥ k`: only where `σ^(n+1)` divides can the scheme be C^n.
+    fn special_values(&mut self) {
+        let conditions = self.line.divisibility(self.continuity + 1);
+        let values = common_roots(&conditions);
+        self.refuted = Region::line().difference(&Region::points(values.iter().cloned()));
+        self.lemmas.push(Lemma::Indivisible {
+            order: self.continuity + 1,
+            except: values.iter().map(certificate_end).collect(),
+        });
+        self.restrict_to_stable();
+        for x in &values {
+            let (verdict, lemmas) = match x.as_rational() {
+                Some(rational) => self.at(rational),
+                None => (PointVerdict::Undecided, Vec::new()),
+            };
+            self.record(x, verdict);
+            self.lemmas.extend(lemmas);
+        }
+    }
+
+    /// C^n at one value, where `σ^(n+1)` divides, with a lemma that says so.
+    fn at(&self, x: &Rational) -> (PointVerdict, Vec<Lemma>) {
+        let member = self.line.at(x);
+        let order = member.order();
+        if order <= self.continuity {
+            return (PointVerdict::Undecided, Vec::new());
+        }
+        let pencil = member.pencil(order, &bound(&member, order, self.continuity));
+        // Inside an `at` lemma everything happens at the value itself.
+        let accept = |polytope: &Polytope| {
+            let inner = vec![Lemma::Polytope(Box::new(polytope.clone()))];
+            self.holds(vec![Lemma::At { value: Number(x.clone()), order, lemmas: inner }])
+        };
+        let lemma = |lemmas| vec![Lemma::At { value: Number(x.clone()), order, lemmas }];
+        match decide(&pencil, x, &self.sharpness.spectral, &accept) {
+            Constant::Contracting(polytope) => {
+                (PointVerdict::Proved, lemma(vec![Lemma::Polytope(polytope)]))
+            }
+            Constant::Expanding(word) => {
+                let word = word_at(x, &word.to_string());
+                let stable = matches!(instability(&member), Instability::At(_));
+                match (self.continuity, stable) {
+                    (0, _) => (PointVerdict::Refuted, lemma(vec![word])),
+                    (_, true) => {
+                        let stable = Lemma::Stable { except: Vec::new() };
+                        (PointVerdict::Refuted, lemma(vec![word, stable]))
+                    }
+                    (_, false) => (PointVerdict::Unstable, lemma(vec![word])),
+                }
+            }
+            Constant::Undecided => (PointVerdict::Undecided, Vec::new()),
+        }
+    }
+
+    /// Refutes C^n at a value at which stability fails, by the mask `a q(z) / q(z²)` that generates
+    /// the same space of smoothness.
+    fn reduced(&self, x: &Rational) -> Option<Lemma> {
+        let member = self.line.at(x);
+        let (factor, reduced) = reduction(&member)?;
+        let order = reduced.order();
+        let stable = Lemma::Stable { except: Vec::new() };
+        let reason = if order <= self.continuity {
+            Lemma::Indivisible { order: self.continuity + 1, except: Vec::new() }
+        } else {
+            let pencil = reduced.pencil(order, &bound(&reduced, order, self.continuity));
+            match decide(&pencil, x, &self.sharpness.spectral, &|_| true) {
+                Constant::Expanding(word) => word_at(x, &word.to_string()),
+                _ => return None,
+            }
+        };
+        let lemma = Lemma::Reduced {
+            value: Number(x.clone()),
+            factor: factor.coefficients().iter().cloned().map(Number).collect(),
+            order,
+            lemmas: vec![reason, stable],
+        };
+        self.holds(vec![lemma.clone()]).then_some(lemma)
+    }
+
+    fn accepts(&self, line: &Line, order: usize, polytope: &Polytope) -> bool {
+        let lemma = Lemma::Polytope(Box::new(polytope.clone()));
+        verify(&self.certificate_of(line, order, vec![lemma], Vec::new(), Vec::new())).is_ok()
+    }
+
+    fn holds(&self, lemmas: Vec<Lemma>) -> bool {
+        let certificate =
+            self.certificate_of(self.line, self.order, lemmas, Vec::new(), Vec::new());
+        verify(&certificate).is_ok()
+    }
+
+    pub fn certificate(&self) -> Certificate {
+        let (proved, refuted) = (intervals(&self.proved), intervals(&self.refuted));
+        self.certificate_of(self.line, self.order, self.lemmas.clone(), proved, refuted)
+    }
+
+    fn certificate_of(
+        &self,
+        line: &Line,
+        order: usize,
+        lemmas: Vec<Lemma>,
+        proved: Vec<Interval>,
+        refuted: Vec<Interval>,
+    ) -> Certificate {
+        Certificate {
+            format: FORMAT.into(),
+            version: VERSION,
+            family: line.family(order),
+            conclusion: Conclusion::Continuity { continuity: self.continuity, proved, refuted },
+            lemmas,
+        }
+    }
+}
+
+/// `m^(k-1-n)`.
+fn bound(line: &Line, order: usize, continuity: usize) -> Rational {
+    Rational::from_i64(line.arity() as i64).power((order - 1 - continuity) as u32)
+}
+
+/// The word's product has spectral radius at least one at a single value.
+fn word_at(x: &Rational, word: &str) -> Lemma {
+    let end = Some(End::Rational(Number(x.clone())));
+    Lemma::Word { pencil: Pencil::Parameter, word: word.into(), from: end.clone(), to: end }
+}
+
+/// Short rational ends inside an open interval, at most a five-hundredth of its length from its own.
+fn shrunk(a: &RealAlgebraic, b: &RealAlgebraic) -> (Rational, Rational) {
+    let width = Rational::new(1.into(), Integer::from(1) << 60usize);
+    let (a, b) = (a.enclosure(&width).1, b.enclosure(&width).0);
+    let step = (&b - &a) / Rational::from_i64(1000);
+    let near = |from: Rational, to: Rational| {
+        RealAlgebraic::from(from).rational_between(&RealAlgebraic::from(to))
+    };
+    let two = Rational::from_i64(2);
+    (near(&a + &step, &a + &step * &two), near(&b - &step * &two, &b - &step))
+}
+
+fn intervals(region: &Region) -> Vec<Interval> {
+    let end = |bound: &Bound| bound.number().map(certificate_end);
+    region
+        .intervals()
+        .iter()
+        .map(|interval| Interval {
+            from: end(&interval.lower),
+            to: end(&interval.upper),
+            ends: format!(
+                "{}{}",
+                if interval.lower.is_closed() { '[' } else { '(' },
+                if interval.upper.is_closed() { ']' } else { ')' },
+            ),
+        })
+        .collect()
+}
+
+fn common_roots(polynomials: &[Polynomial<Integer>]) -> Vec<RealAlgebraic> {
+    let common = polynomials.iter().fold(Polynomial::zero(), |g, p| g.gcd(p));
+    if common.is_zero() { Vec::new() } else { roots(&common) }
+}
+
+fn roots(p: &Polynomial<Integer>) -> Vec<RealAlgebraic> {
+    real_roots(p).iter().map(RealAlgebraic::simplified).collect()
+}
