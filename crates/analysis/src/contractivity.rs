@@ -2,8 +2,8 @@
 
 use std::collections::HashSet;
 
-use refinable_algebra::{Integer, Ordered, Parameter, Polynomial, Rational, Ring};
-use refinable_reals::{RealAlgebraic, Region, real_roots};
+use refinable_algebra::{Ordered, Parameter, Rational, Ring};
+use refinable_reals::{RealAlgebraic, Region, common_roots, simple_roots};
 use refinable_scheme::{Diagnostic, Normalised};
 
 use crate::budget::Budget;
@@ -80,7 +80,8 @@ pub fn norm_range(
     let degree = symbol.parameter_degree() as u64;
     budget.admit_degree(degree, max_level)?;
     budget.admit(symbol.arity, symbol.length(), max_level, |l| degree * u64::from(l) + 1)?;
-    let mut divisible_at = common_roots(&symbol.remainder);
+    let conditions = &symbol.remainder;
+    let mut divisible_at = (!conditions.is_empty()).then(|| common_roots(conditions));
     if let Some(points) = &mut divisible_at {
         // At a pole there is no symbol to be divided.
         points.retain(|t| t.sign_of(&symbol.denominator).is_ne());
@@ -92,7 +93,7 @@ pub fn norm_range(
         parameter: parameter.clone(),
         proved: Region::union_of(levels.iter().cloned()).simplified(),
         levels,
-        poles: roots_of(&symbol.denominator),
+        poles: simple_roots(&symbol.denominator),
         divisible_at,
         work,
     })
@@ -172,18 +173,6 @@ fn distinct_rows(powers: &Powers) -> Vec<RowCondition> {
     let mut distinct: Vec<_> = conditions.filter(|row| seen.insert(row.clone())).collect();
     distinct.sort_by_cached_key(|row| std::cmp::Reverse(row.growth()));
     distinct
-}
-
-/// The common real roots of a list of polynomials, none of them zero; `None` for an empty list.
-fn common_roots(polynomials: &[Polynomial<Integer>]) -> Option<Vec<RealAlgebraic>> {
-    use refinable_algebra::GcdDomain;
-    let (first, rest) = polynomials.split_first()?;
-    let common = rest.iter().fold(first.clone(), |g, p| g.gcd(p));
-    Some(roots_of(&common))
-}
-
-fn roots_of(p: &Polynomial<Integer>) -> Vec<RealAlgebraic> {
-    real_roots(p).iter().map(RealAlgebraic::simplified).collect()
 }
 
 #[cfg(test)]

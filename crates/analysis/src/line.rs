@@ -4,7 +4,7 @@ use refinable_algebra::{
     Integer, Laurent, Matrix, Parameter, Polynomial, Rational, Ring, clear_denominators,
 };
 use refinable_certificate::{Curve, Family, Number, Quotient};
-use refinable_reals::{RealAlgebraic, Region, real_roots};
+use refinable_reals::{RealAlgebraic, Region, simple_roots};
 use refinable_scheme::Normalised;
 use refinable_spectral::Pencil;
 
@@ -134,8 +134,7 @@ impl Line {
     pub fn poles(&self) -> Vec<RealAlgebraic> {
         match &self.curve {
             Some(curve) if !curve.denominator.is_constant() => {
-                let roots = real_roots(&curve.denominator.cleared().1);
-                roots.iter().map(RealAlgebraic::simplified).collect()
+                simple_roots(&curve.denominator.cleared().1)
             }
             _ => Vec::new(),
         }

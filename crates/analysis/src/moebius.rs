@@ -1,7 +1,7 @@
 //! Fractional linear changes of a parameter.
 
 use refinable_algebra::{Integer, Polynomial, Rational, Ring};
-use refinable_reals::{Bound, RealAlgebraic, Region, real_roots};
+use refinable_reals::{Bound, RealAlgebraic, Region, real_roots, sample_between};
 
 /// `x = P(t) / Q(t)` with `P`, `Q` of degree at most one, not proportional: a bijection of the
 /// projective line.
@@ -90,17 +90,6 @@ impl<'a> Moebius<'a> {
             sum = sum.plus(&power.times(&rest).scaled(&Rational::from(c.clone())));
         }
         sum.cleared().1
-    }
-}
-
-/// A rational number strictly between two ends, `None` being infinite.
-fn sample_between(lower: Option<&RealAlgebraic>, upper: Option<&RealAlgebraic>) -> Rational {
-    let one = Rational::one();
-    match (lower, upper) {
-        (None, None) => Rational::zero(),
-        (Some(x), None) => x.bounds().1.ceil() + one,
-        (None, Some(x)) => x.bounds().0.floor() - one,
-        (Some(a), Some(b)) => a.rational_between(b),
     }
 }
 

@@ -1,11 +1,11 @@
 //! The search for a proof: where C^n holds and where it fails on a line of masks.
 
-use refinable_algebra::{GcdDomain, Integer, Polynomial, Rational, Ring};
+use refinable_algebra::{Integer, Rational, Ring};
 use refinable_certificate::{
     Certificate, Conclusion, End, FORMAT, Interval, Lemma, Number, Pencil, Polytope, VERSION,
     verify,
 };
-use refinable_reals::{Bound, RealAlgebraic, Region, real_roots};
+use refinable_reals::{Bound, RealAlgebraic, Region, common_roots};
 use refinable_spectral::{Constant, Division, certificate_end, decide, divide};
 
 use crate::continuity::{PointVerdict, Sharpness};
@@ -282,13 +282,4 @@ fn intervals(region: &Region) -> Vec<Interval> {
             ),
         })
         .collect()
-}
-
-fn common_roots(polynomials: &[Polynomial<Integer>]) -> Vec<RealAlgebraic> {
-    let common = polynomials.iter().fold(Polynomial::zero(), |g, p| g.gcd(p));
-    if common.is_zero() { Vec::new() } else { roots(&common) }
-}
-
-fn roots(p: &Polynomial<Integer>) -> Vec<RealAlgebraic> {
-    real_roots(p).iter().map(RealAlgebraic::simplified).collect()
 }

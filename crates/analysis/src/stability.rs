@@ -3,7 +3,7 @@
 use refinable_algebra::{
     GcdDomain, Integer, Laurent, Matrix, Ordered, Polynomial, Rational, Ring, integer,
 };
-use refinable_reals::{RealAlgebraic, real_roots, real_roots_between};
+use refinable_reals::{RealAlgebraic, real_roots_between, simple_roots};
 
 use crate::line::Line;
 
@@ -138,7 +138,7 @@ fn opposite_zeros(symbol: &Symbol) -> Option<Vec<RealAlgebraic>> {
     for order in even_orders(&eliminant) {
         let phi = cyclotomic(order);
         let [r, s] = [&even, &odd].map(|part| part.bivariate().resultant(&phi));
-        exceptions.extend(roots(&r.gcd(&s)));
+        exceptions.extend(simple_roots(&r.gcd(&s)));
     }
     Some(exceptions)
 }
@@ -164,7 +164,7 @@ fn cycles(line: &Line, symbol: &Symbol) -> Option<Vec<RealAlgebraic>> {
         if common.is_zero() {
             return None;
         }
-        exceptions.extend(roots(&common));
+        exceptions.extend(simple_roots(&common));
     }
     if !symbol.q.is_zero() {
         exceptions.extend(irrational_cycles(line)?);
@@ -193,7 +193,7 @@ fn irrational_cycles(line: &Line) -> Option<Vec<RealAlgebraic>> {
     }
     let near = Rational::new(integer(1), integer(1) << 60usize);
     let candidates =
-        roots(&resultant.cleared().1).into_iter().filter(|x| x.as_rational().is_none());
+        simple_roots(&resultant.cleared().1).into_iter().filter(|x| x.as_rational().is_none());
     let exceptions = candidates.filter(|x| {
         let x = x.enclosure(&near).0;
         let sum = [1, 2, 4].map(|k| squared_modulus(&turned(&x, k)));
@@ -261,13 +261,6 @@ fn interpolated(degree: usize, value: impl Fn(&Rational) -> Rational) -> Polynom
         let factor = Polynomial::new(vec![-nodes[i].clone(), Rational::one()]);
         sum.times(&factor).plus(&Polynomial::constant(differences[i].clone()))
     })
-}
-
-fn roots(p: &Polynomial<Integer>) -> Vec<RealAlgebraic> {
-    if p.is_zero() {
-        return Vec::new();
-    }
-    real_roots(p).iter().map(RealAlgebraic::simplified).collect()
 }
 
 fn totient(n: usize) -> usize {

@@ -24,6 +24,19 @@ pub fn real_roots(polynomial: &Polynomial<Integer>) -> Vec<RealAlgebraic> {
     real_roots_between(polynomial, &-bound.clone(), &bound)
 }
 
+/// All distinct real roots, ascending, each in its simplest stored form; none of the zero polynomial.
+pub fn simple_roots(polynomial: &Polynomial<Integer>) -> Vec<RealAlgebraic> {
+    if polynomial.is_zero() {
+        return Vec::new();
+    }
+    real_roots(polynomial).iter().map(RealAlgebraic::simplified).collect()
+}
+
+/// The common real roots of several polynomials that are not all zero.
+pub fn common_roots(polynomials: &[Polynomial<Integer>]) -> Vec<RealAlgebraic> {
+    simple_roots(&polynomials.iter().fold(Polynomial::zero(), |g, p| g.gcd(p)))
+}
+
 /// The distinct roots in the open interval `(lower, upper)`, ascending.
 ///
 /// # Panics

@@ -40,10 +40,12 @@ mod variety;
 pub use algebraic::RealAlgebraic;
 pub use bernstein::Bernstein;
 pub use exact_form::{ExactForm, Radical};
-pub use isolate::{power_of_two, real_roots, real_roots_between, root_bound_exponent};
+pub use isolate::{
+    common_roots, power_of_two, real_roots, real_roots_between, root_bound_exponent, simple_roots,
+};
 pub use logarithm::logarithm;
 pub use point::Point;
-pub use region::{Bound, Interval, Region};
+pub use region::{Bound, Interval, Region, sample_between};
 pub use rounded::RoundedBernstein;
 pub use system::{common_zeros, has_real_point};
 pub use variety::{Component, Unsolved, common_zero_set};

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use refinable_algebra::Rational;
+use refinable_algebra::{Rational, Ring};
 
 use crate::algebraic::RealAlgebraic;
 
@@ -250,6 +250,20 @@ impl Region {
             })
             .collect();
         if parts.is_empty() { "∅".into() } else { parts.join(" ∪ ") }
+    }
+}
+
+/// A rational number strictly between two ends, `None` being infinite.
+///
+/// # Panics
+/// If the lower end is not less than the upper one.
+pub fn sample_between(lower: Option<&RealAlgebraic>, upper: Option<&RealAlgebraic>) -> Rational {
+    let one = Rational::one();
+    match (lower, upper) {
+        (None, None) => Rational::zero(),
+        (Some(x), None) => x.bounds().1.ceil() + one,
+        (None, Some(x)) => x.bounds().0.floor() - one,
+        (Some(a), Some(b)) => a.rational_between(b),
     }
 }
 

@@ -1,7 +1,7 @@
 //! From below: where the product along a word has spectral radius at least one.
 
 use refinable_algebra::{Integer, Matrix, Polynomial, Rational, Ring};
-use refinable_reals::{Bound, RealAlgebraic, Region, real_roots};
+use refinable_reals::{Bound, RealAlgebraic, Region, real_roots, sample_between};
 
 use crate::schur::{inner_determinant, is_schur_stable};
 use crate::word::Word;
@@ -137,20 +137,6 @@ fn union_of_gaps(cuts: &[RealAlgebraic], holds: impl Fn(&Rational) -> bool) -> R
         holds(&sample_between(lower, upper)).then(|| Region::interval(open(lower), open(upper)))
     });
     Region::union_of(gaps.chain([Region::points(cuts.iter().cloned())]))
-}
-
-/// A rational number strictly between two ends, `None` being infinite.
-pub(crate) fn sample_between(
-    lower: Option<&RealAlgebraic>,
-    upper: Option<&RealAlgebraic>,
-) -> Rational {
-    let one = Rational::one();
-    match (lower, upper) {
-        (None, None) => Rational::zero(),
-        (Some(x), None) => x.bounds().1.ceil() + one,
-        (None, Some(x)) => x.bounds().0.floor() - one,
-        (Some(a), Some(b)) => a.rational_between(b),
-    }
 }
 
 #[cfg(test)]
