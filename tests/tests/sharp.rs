@@ -9,6 +9,7 @@ use refinable_analysis::{
     Budget, ContinuityRange, Options, PointVerdict, Regularity, Sharpness, continuity_at,
     continuity_range, norm_range, regularity,
 };
+use refinable_certificate::verify;
 use refinable_reals::{Region, real_roots};
 use refinable_scheme::{Scheme, Substitution};
 use refinable_tests::{difference_symbol, iterated_norm};
@@ -181,5 +182,18 @@ fn a_curve_is_a_line_of_masks() {
             found.proved.contains_rational(&value),
             exponent(&member).lower > rational(3, 1)
         );
+    }
+}
+
+/// Every lemma of a certified exponent is needed: without any one of them the theorem is not proved.
+#[test]
+fn a_certified_exponent_needs_all_its_lemmas() {
+    let whole = exponent(&scheme("dd6")).certificate.unwrap();
+    assert!(verify(&whole).is_ok());
+    assert_eq!(whole.lemmas.len(), 3);
+    for dropped in 0..whole.lemmas.len() {
+        let mut part = whole.clone();
+        part.lemmas.remove(dropped);
+        assert!(verify(&part).is_err(), "lemma {dropped} is not needed");
     }
 }
