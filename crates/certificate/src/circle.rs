@@ -79,3 +79,20 @@ fn is_positive_sum(
     let one = Rational::from(integer(1));
     is_positive_on(&sum, &-one.clone(), &one, work)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use refinable_algebra::rational;
+
+    /// `t²`, which is `100²` at 100, and differs from it by `w (200 + w)` at `100 + w`.
+    #[test]
+    fn the_deviation_has_two_terms() {
+        let parts = [[vec![integer(0)], vec![integer(1)]]];
+        for (width, shown) in [(40, true), (41, true), (42, false), (70, false)] {
+            let width = rational(width, 1);
+            let got = is_positive_sum(&parts, &rational(100, 1), &width, &mut Work::new());
+            assert_eq!(got, Ok(shown), "{width}");
+        }
+    }
+}

@@ -73,17 +73,13 @@ impl Product {
         Polynomial::new(spread)
     }
 
-    /// `(N, n)` with `Π_w = N / n` where the entries' variable is `y`.
-    pub fn at(&self, y: &Rational, work: &mut Work) -> Check<(Matrix<Integer>, Integer)> {
+    /// The numerators of `Π_w` where the entries' variable is `y`.
+    pub fn at(&self, y: &Integer, work: &mut Work) -> Check<Matrix<Integer>> {
         let d = self.dimension;
         let longest = self.entries.iter().map(|e| e.coefficients().len()).max().unwrap_or(0);
         let bits = self.entries.iter().map(polynomial_bits).max().unwrap_or(0);
-        let size = (longest as u64).saturating_mul(rational_bits(y));
-        work.products(3 * d * d * longest, size.saturating_add(bits), rational_bits(y))?;
-        let degree = longest.saturating_sub(1);
-        let common = y.denom().power(degree as u32);
-        let entry = |i: usize, j: usize| homogeneous(&self.entries[i * d + j], y, degree);
-        Ok((Matrix::from_fn(d, d, entry), &self.denominator * common))
+        work.products(d * d * longest, bits + longest as u64 * y.bits(), y.bits())?;
+        Ok(Matrix::from_fn(d, d, |i, j| self.entries[i * d + j].evaluate(y)))
     }
 
     /// `x^stretch`.
@@ -106,7 +102,11 @@ fn trimmed(polynomial: Polynomial<Integer>) -> Polynomial<Integer> {
 }
 
 /// `q^degree p(y)` for `y` of denominator `q`.
-fn homogeneous(polynomial: &Polynomial<Integer>, y: &Rational, degree: usize) -> Integer {
+pub(crate) fn homogeneous(
+    polynomial: &Polynomial<Integer>,
+    y: &Rational,
+    degree: usize,
+) -> Integer {
     let mut value = Integer::zero();
     let mut power = y.denom().power((degree + 1 - polynomial.coefficients().len().max(1)) as u32);
     for c in polynomial.coefficients().iter().rev() {
@@ -199,6 +199,28 @@ pub(crate) fn interpolate(
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// The letters `[[1, x], [0, 2]]` and `[[x, 0], [1, 1]]`.
+    fn letters() -> Letters {
+        let integers = |c: [i64; 4]| c.map(integer).to_vec();
+        let pairs = [([1, 0, 0, 2], [0, 1, 0, 0]), ([0, 0, 1, 1], [1, 0, 0, 0])];
+        let pairs = pairs.map(|(p, q)| [integers(p), integers(q)]).to_vec();
+        Letters { dimension: 2, pairs, denominator: integer(3) }
+    }
+
+    #[test]
+    fn words_are_applied_from_left_to_right() {
+        let work = &mut Work::new();
+        let product = Product::new(&letters(), &[0, 0, 1], work).unwrap();
+        // [[x, 0], [1, 1]] [[1, 3x], [0, 4]] at x = 2.
+        let expected = Matrix::from_fn(2, 2, |i, j| integer([[2, 12], [1, 10]][i][j]));
+        assert_eq!(product.at(&integer(2), work), Ok(expected));
+        assert_eq!((product.denominator.clone(), product.stretch), (integer(27), 1));
+        // (27 ∓ x)(27 ∓ (3x + 4)) - 3x² for the two signs.
+        let polynomial = |c: [i64; 2]| Polynomial::new(c.map(integer).to_vec());
+        assert_eq!(product.determinant(1, work), Ok(polynomial([27 * 23, -81 - 23])));
+        assert_eq!(product.determinant(-1, work), Ok(polynomial([27 * 31, 81 + 31])));
+    }
 
     #[test]
     fn interpolation_returns_the_polynomial() {

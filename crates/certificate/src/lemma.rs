@@ -112,8 +112,8 @@ impl Setting<'_> {
         };
         let [from, to] = ends.map(|x| Real::Rational(x.clone()));
         self.check_value(Pencil::Parameter, [Some(&from), Some(&to)], work)?;
-        norm::check(self.scheme, continuity, level, ends, work)?;
         let span = Span::closed(Some(from), Some(to), work)?;
+        norm::check(self.scheme, continuity, level, ends, work)?;
         Ok(Fact::Contraction(Pencil::Parameter, span))
     }
 

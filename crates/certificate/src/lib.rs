@@ -9,9 +9,9 @@
 //! | `verify`, `lemma`, `conclusion` | [`verify`]: all lemmas, what each proves, what follows |
 //! | `family` | symbols that are affine in the parameter, difference symbols, matrices |
 //! | `norm` | the lemma `norm`, by forms and bisection |
-//! | `polytope`, `orbit`, `position` | the lemma `polytope`: the gauge, the true leading vertices |
+//! | `polytope`, `body`, `orbit`, `position` | the lemma `polytope`: the form, the gauge, the true leading vertices |
 //! | `word`, `jury` | the lemma `word`: signs of determinants, eigenvalues and the unit circle |
-//! | `stability`, `circle`, `cyclotomic` | the lemma `stable` |
+//! | `stability`, `circle`, `cyclotomic`, `resultant` | the lemma `stable` |
 //! | `nonnegative` | the lemma `nonnegative` |
 //! | `regularity` | enclosures of binary logarithms |
 //! | `real`, `line` | real algebraic numbers; intervals and what they cover |
@@ -22,6 +22,7 @@
 //! The format is described in `docs/certificates.md`. Of the other crates only the arithmetic of
 //! `refinable-algebra` is used, and no float anywhere.
 
+mod body;
 mod circle;
 mod conclusion;
 mod cyclotomic;
@@ -46,6 +47,7 @@ mod position;
 mod read;
 mod real;
 mod regularity;
+mod resultant;
 mod roots;
 mod stability;
 mod verify;

@@ -213,7 +213,42 @@ pub enum Lemma {
 }
 
 /// `Σ (weight / 2^weight_bits) u_index`; `None` where a vertex is met by construction.
-pub type Combination = Option<Vec<(usize, i64)>>;
+pub type Combination = Option<Vec<Term>>;
+
+/// One term of a combination: `[index, re]`, or `[index, re, im]`.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, Deserialize)]
+#[serde(from = "Entry", into = "Entry")]
+pub struct Term {
+    /// Which vertex.
+    pub index: usize,
+    /// The real part of the weight.
+    pub re: i64,
+    /// The imaginary part of the weight.
+    pub im: i64,
+}
+
+/// A term as it is written.
+#[derive(Serialize, Deserialize)]
+#[serde(untagged)]
+enum Entry {
+    Real(usize, i64),
+    Complex(usize, i64, i64),
+}
+
+impl From<Entry> for Term {
+    fn from(entry: Entry) -> Self {
+        match entry {
+            Entry::Real(index, re) => Term { index, re, im: 0 },
+            Entry::Complex(index, re, im) => Term { index, re, im },
+        }
+    }
+}
+
+impl From<Term> for Entry {
+    fn from(Term { index, re, im }: Term) -> Self {
+        if im == 0 { Entry::Real(index, re) } else { Entry::Complex(index, re, im) }
+    }
+}
 
 /// A symmetric polytope that every matrix maps into itself.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
@@ -225,12 +260,19 @@ pub struct Polytope {
     pub inner: Number,
     /// `x_1`.
     pub end: End,
+    /// Whether `x_1` does not belong to the interval.
+    pub open: bool,
+    /// Whether vertices and weights are complex.
+    pub complex: bool,
     /// Whether the mirror images of the vertices belong to it.
     pub mirrored: bool,
     /// Vertices are integers over `2^bits`.
     pub bits: u32,
-    /// The vertices.
+    /// The vertices; if complex, the real parts of all coordinates and then the imaginary parts.
     pub vertices: Vec<Vec<i64>>,
+    /// How the polytope moves on the way to `x_0`, if it does.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub motion: Option<Motion>,
     /// The words whose eigenvectors are vertices.
     pub leading: Vec<Leading>,
     /// Weights are integers over `2^weight_bits`.
@@ -241,6 +283,16 @@ pub struct Polytope {
     pub inner_images: Vec<Vec<Combination>>,
     /// For each vertex and letter, the image at `x_1`, nearly.
     pub end_images: Vec<Vec<Combination>>,
+}
+
+/// What becomes of a polytope on the way from `x_1` to `x_0`.
+#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Motion {
+    /// The vertices at `x_0`.
+    pub vertices: Vec<Vec<i64>>,
+    /// For each vertex and letter, what is left of the image in the middle, nearly.
+    pub rests: Vec<Vec<Combination>>,
 }
 
 /// A word whose product has an eigenvalue of modulus one at the end of the interval.

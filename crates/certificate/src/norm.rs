@@ -8,7 +8,7 @@
 use refinable_algebra::{Integer, Ordered, Rational, Ring, binomial, integer};
 
 use crate::family::Scheme;
-use crate::order::{equal, less};
+use crate::order::equal;
 use crate::work::{Check, Work, ensure, fail, largest_bits};
 
 /// A form `Σ_k h_k u^(L-k) v^k`.
@@ -26,7 +26,6 @@ pub(crate) fn check(
     work: &mut Work,
 ) -> Check<()> {
     ensure(level >= 1, "the level is less than one")?;
-    ensure(!less(to, from), "the interval is empty")?;
     let symbol = scheme.lower_difference(continuity, work)?;
     let [left, right] = [symbol.at(from, work)?, symbol.at(to, work)?];
     // Over the common denominator of both ends.
@@ -143,6 +142,32 @@ fn left_half(form: &[Integer]) -> Form {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// A row of one form against one.
+    fn is_less_than_one(form: &[i64]) -> bool {
+        let degree = form.len() as u32 - 1;
+        let bounds: Vec<Integer> = (0..=degree).map(|k| binomial(degree, k) * 100).collect();
+        let row = vec![form.iter().map(|&h| integer(h)).collect()];
+        holds(row, &bounds, 0, &mut Work::new()).unwrap()
+    }
+
+    #[test]
+    fn the_whole_interval_counts() {
+        // b u v, at most b/4 in the middle.
+        assert!(is_less_than_one(&[0, 390, 0]));
+        assert!(is_less_than_one(&[0, -390, 0]));
+        assert!(!is_less_than_one(&[0, 400, 0]));
+        assert!(!is_less_than_one(&[0, -410, 0]));
+        // b u³ v and b u v³, at most 27 b / 256, at one quarter.
+        for (form, holds) in [([0, 940, 0, 0, 0], true), ([0, 950, 0, 0, 0], false)] {
+            assert_eq!(is_less_than_one(&form), holds);
+            let reversed: Vec<i64> = form.into_iter().rev().collect();
+            assert_eq!(is_less_than_one(&reversed), holds);
+        }
+        for ends in [[100, 0], [0, 100], [-100, 0], [0, -100]] {
+            assert!(!is_less_than_one(&ends));
+        }
+    }
 
     #[test]
     fn halves_agree_with_the_whole() {

@@ -209,3 +209,46 @@ fn approximate_inverse(d: usize, pivot: usize, matrix: &[Integer]) -> Check<Vec<
     }
     Ok(inverse)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// `p/q` in fixed point.
+    fn fixed(p: i64, q: i64) -> Integer {
+        (Integer::from(p) << SCALE) / q
+    }
+
+    /// The matrices `diag(2, 1/2)` and `diag(1/2, 1/2)`, of which the product `diag(1, 1/4)` fixes
+    /// `(1, 0)`: errors of an orbit of which the second coordinates, zero, are given as `1/8` and
+    /// `3/8`.
+    fn errors(position_error: Integer) -> Check<Vec<Integer>> {
+        let diagonal = |a: Integer, b: Integer| vec![a, Integer::zero(), Integer::zero(), b];
+        let matrices = vec![diagonal(fixed(2, 1), fixed(1, 2)), diagonal(fixed(1, 2), fixed(1, 2))];
+        let position = Position { matrices, denominator: one(), error: position_error };
+        let vertices = [vec![8, 1], vec![16, 3]];
+        let orbit = Orbit { word: vec![0, 1], sign: 1, pivot: 0, vertices: &vertices, bits: 3 };
+        orbit.errors(&position, 2, &mut Work::new())
+    }
+
+    fn assert_close(errors: Check<Vec<Integer>>, expected: [Integer; 2]) {
+        for (error, exact) in errors.unwrap().iter().zip(&expected) {
+            assert!(error >= exact && error - exact < one() >> 180_u32, "{error} {exact}");
+        }
+    }
+
+    #[test]
+    fn errors_grow_along_an_orbit() {
+        // Twice the first one, and the second vector misses the image (2, 1/16) by 5/16.
+        assert_close(errors(Integer::zero()), [fixed(1, 8), fixed(9, 16)]);
+    }
+
+    #[test]
+    fn errors_of_the_matrices_count() {
+        // With the error e = 1/8 that of the product is e/2 + e (2 + e) = 21/64, so 1 - q = 9/16
+        // with the inverse 4/3 of 1 - 1/4. The first error is (1/8 + q) / (1 - q) = 1, the second
+        // (2 + e) 1 + 5/16 + e.
+        assert_close(errors(fixed(1, 8)), [fixed(1, 1), fixed(41, 16)]);
+        assert!(errors(fixed(5, 16)).unwrap_err().0.contains("unique"));
+    }
+}

@@ -1,12 +1,12 @@
 //! The lemma `polytope`: a symmetric polytope that the matrices map into its interior.
 
-use refinable_algebra::{Integer, Ordered, Ring};
+use refinable_algebra::{Integer, Ring};
 
+use crate::body::{Body, Image, Met, Place, Side};
 use crate::family::{Letters, Scheme};
-use crate::fixed::{SCALE, divide_up, one, ratio_up, shift_up, times_up};
 use crate::line::{Cut, Span};
-use crate::model::{Combination, Polytope};
-use crate::orbit::{Orbit, apply};
+use crate::model::{Combination, Polytope, Term};
+use crate::orbit::Orbit;
 use crate::position::Position;
 use crate::real::Real;
 use crate::work::{Check, Work, ensure, fail};
@@ -20,26 +20,28 @@ pub(crate) fn check(
 ) -> Check<Span> {
     let inner = Real::Rational(polytope.inner.0.clone());
     let end = Real::new(&polytope.end, work)?;
-    let exact = polytope.leading.is_empty();
-    ensure(
-        !exact || end.as_rational().is_some(),
-        "without leading words the end must be rational",
-    )?;
-    check_shape(scheme, letters, polytope)?;
-    let span = span(inner.clone(), end.clone(), exact, work)?;
+    check_form(scheme, letters, polytope, &end)?;
+    let span = span(inner.clone(), end.clone(), !polytope.open, work)?;
     let orbits = orbits(letters, polytope)?;
     let errors = vertex_errors(letters, polytope, &orbits, &end, work)?;
-    let body = Body::new(letters, polytope, errors, work)?;
-    let met = |_, _| false;
-    body.check_images(&Position::best(letters, &inner, work)?, &polytope.inner_images, met, work)?;
-    let met = |vertex: usize, letter: usize| {
-        let on = |(first, orbit): &(usize, Orbit)| {
-            let step = vertex.checked_sub(*first);
-            step.and_then(|s| orbit.word.get(s)).is_some_and(|&l| l == letter)
-        };
-        orbits.iter().any(on)
+    let body = Body::new(polytope, letters.dimension, errors, work)?;
+    let mut place = |x: &Real, side: Side| {
+        Ok(Place::new(Position::best(letters, x, work)?, letters.dimension, side))
     };
-    body.check_images(&Position::best(letters, &end, work)?, &polytope.end_images, met, work)?;
+    let (inner, end) = (place(&inner, Side::Inner)?, place(&end, Side::End)?);
+    let letters = 0..letters.pairs.len();
+    let images = (0..polytope.vertices.len())
+        .flat_map(|vertex| letters.clone().map(move |letter| Image { vertex, letter }));
+    for image in images.clone() {
+        let given = Given::new(polytope, image);
+        let Some(terms) = given.inner else { return fail(NULL) };
+        ensure_inside(body.has_image(&inner, image, terms, work)?, image)?;
+    }
+    for image in images {
+        let given = Given::new(polytope, image);
+        let met = met(&orbits, image);
+        ensure_inside(check_image(&body, (&inner, &end), image, given, met, work)?, image)?;
+    }
     Ok(span)
 }
 
@@ -54,12 +56,24 @@ fn span(inner: Real, end: Real, included: bool, work: &mut Work) -> Check<Span> 
     }
 }
 
-fn check_shape(scheme: &Scheme, letters: &Letters, polytope: &Polytope) -> Check<()> {
-    let d = letters.dimension;
+fn check_form(scheme: &Scheme, letters: &Letters, polytope: &Polytope, end: &Real) -> Check<()> {
+    let rational = end.as_rational().is_some();
+    ensure(polytope.open || rational, "an end that belongs to the interval must be rational")?;
+    let leads = !polytope.leading.is_empty();
+    ensure(polytope.open || !leads, "a leading word at an end that belongs to the interval")?;
+    ensure(!polytope.complex || !leads, "a leading word of a complex polytope")?;
     ensure(polytope.bits <= 62 && polytope.weight_bits <= 62, "more than 62 binary places")?;
-    ensure(polytope.vertices.iter().all(|v| v.len() == d), "a vertex has the wrong length")?;
+    let d = letters.dimension;
+    let length = if polytope.complex { 2 * d } else { d };
+    let moved = polytope.motion.iter().flat_map(|motion| &motion.vertices);
+    let fits = polytope.vertices.iter().chain(moved).all(|v| v.len() == length);
+    ensure(fits, "a vertex has the wrong length")?;
+    let moved = polytope.motion.as_ref().map(|motion| motion.vertices.len());
+    let fits = moved.is_none_or(|count| count == polytope.vertices.len());
+    ensure(fits, "the wrong number of vertices at the inner end")?;
     ensure(polytope.units.len() == d, "the wrong number of units")?;
-    for images in [&polytope.inner_images, &polytope.end_images] {
+    let rests = polytope.motion.as_ref().map(|motion| &motion.rests);
+    for images in [&polytope.inner_images, &polytope.end_images].into_iter().chain(rests) {
         ensure(images.len() == polytope.vertices.len(), "the wrong number of images")?;
         let complete = images.iter().all(|of| of.len() == letters.pairs.len());
         ensure(complete, "a vertex does not have an image for each letter")?;
@@ -98,7 +112,7 @@ fn orbits<'a>(letters: &Letters, polytope: &'a Polytope) -> Check<Vec<(usize, Or
     Ok(orbits)
 }
 
-/// The errors of all vertices, mirrored ones included.
+/// The errors of the vertices, zero off the orbits.
 fn vertex_errors(
     letters: &Letters,
     polytope: &Polytope,
@@ -107,167 +121,87 @@ fn vertex_errors(
     work: &mut Work,
 ) -> Check<Vec<Integer>> {
     let mut errors = vec![Integer::zero(); polytope.vertices.len()];
-    if !orbits.is_empty() {
-        let position = Position::fixed(letters, end, work)?;
-        for (first, orbit) in orbits {
-            orbit.check_eigenvalue(letters, end, work)?;
-            let bounds = orbit.errors(&position, letters.dimension, work)?;
-            for (error, bound) in errors[*first..].iter_mut().zip(bounds) {
-                *error = bound;
-            }
-        }
+    if orbits.is_empty() {
+        return Ok(errors);
     }
-    if polytope.mirrored {
-        errors.extend_from_within(..);
+    let position = Position::fixed(letters, end, work)?;
+    for (first, orbit) in orbits {
+        orbit.check_eigenvalue(letters, end, work)?;
+        let bounds = orbit.errors(&position, letters.dimension, work)?;
+        for (error, bound) in errors[*first..].iter_mut().zip(bounds) {
+            *error = bound;
+        }
     }
     Ok(errors)
 }
 
-/// The polytope with its mirror images and what is known about its gauge.
-struct Body<'a> {
-    dimension: usize,
-    /// The number of vertices without mirror images.
-    count: usize,
-    vertices: Vec<Vec<i64>>,
-    errors: Vec<Integer>,
-    polytope: &'a Polytope,
-    /// `‖v‖ ≤ κ ‖v‖_1`, in fixed point.
-    gauge: Integer,
+const NULL: &str = "a combination is null where none is met";
+
+fn ensure_inside(inside: bool, Image { vertex, letter }: Image) -> Check<()> {
+    if inside {
+        return Ok(());
+    }
+    fail(format!("the image of vertex {vertex} under letter {letter} is not shown to be inside"))
 }
 
-impl<'a> Body<'a> {
-    fn new(
-        letters: &Letters,
-        polytope: &'a Polytope,
-        errors: Vec<Integer>,
-        work: &mut Work,
-    ) -> Check<Self> {
-        let mut vertices = polytope.vertices.clone();
-        if polytope.mirrored {
-            let mirror = |v: &Vec<i64>| v.iter().rev().copied().collect();
-            vertices.extend(polytope.vertices.iter().map(mirror).collect::<Vec<_>>());
+/// Checks the image of a vertex under a letter at the end, and on the way from there if the polytope
+/// moves. Images of mirrored vertices are mirror images, `B_{m-1-ε} = J B_ε J`, and those of
+/// conjugates are conjugate, since the matrices are real.
+fn check_image(
+    body: &Body,
+    ends: (&Place, &Place),
+    image: Image,
+    given: Given,
+    met: Option<Met>,
+    work: &mut Work,
+) -> Check<bool> {
+    let unit = met.map(|met| [body.unit_term(met)]);
+    let at_end = match (given.end, &unit) {
+        (Some(terms), None) => terms,
+        (None, Some(unit)) => &unit[..],
+        (None, None) => return fail(NULL),
+        (Some(_), Some(_)) => return fail("a combination is not null where a vertex is met"),
+    };
+    let inside = met.is_some() || body.has_image(ends.1, image, at_end, work)?;
+    match (given.inner, given.rest) {
+        (_, None) => Ok(inside),
+        (Some(at_inner), Some(Some(rest))) => {
+            Ok(inside && body.has_path(ends, image, (at_inner, at_end, rest), work)?)
         }
-        let count = polytope.vertices.len();
-        let dimension = letters.dimension;
-        let gauge = Integer::zero();
-        let mut body = Body { dimension, count, vertices, errors, polytope, gauge };
-        body.gauge = body.bound_gauge(work)?;
-        Ok(body)
+        _ => fail("a rest is null"),
     }
+}
 
-    /// `κ = Γ / (1 - δ)` from the units.
-    fn bound_gauge(&self, work: &mut Work) -> Check<Integer> {
-        let scale = u64::from(self.polytope.bits + self.polytope.weight_bits);
-        let (mut largest_sum, mut largest_rest) = (Integer::zero(), Integer::zero());
-        for (i, unit) in self.polytope.units.iter().enumerate() {
-            let Some(pairs) = unit else { return fail("a unit is null") };
-            let sum = self.weight_sum(pairs)?;
-            let combined = self.combine(pairs, work)?;
-            let rest = combined.iter().enumerate().map(|(j, x)| {
-                let unit = Integer::from(u8::from(i == j)) << scale;
-                (unit - x).absolute()
-            });
-            let rest = (rest.sum::<Integer>() << (SCALE - scale)) + self.combination_error(pairs);
-            largest_sum = largest_sum.max(sum);
-            largest_rest = largest_rest.max(rest);
+/// What the certificate has for an image.
+struct Given<'a> {
+    inner: Option<&'a [Term]>,
+    end: Option<&'a [Term]>,
+    /// If the polytope moves.
+    rest: Option<Option<&'a [Term]>>,
+}
+
+impl<'a> Given<'a> {
+    fn new(polytope: &'a Polytope, Image { vertex, letter }: Image) -> Self {
+        let of = |images: &'a [Vec<Combination>]| images[vertex][letter].as_deref();
+        Given {
+            inner: of(&polytope.inner_images),
+            end: of(&polytope.end_images),
+            rest: polytope.motion.as_ref().map(|motion| of(&motion.rests)),
         }
-        let gap = one() - largest_rest;
-        ensure(gap > Integer::zero(), "the units do not show that the polytope has an interior")?;
-        // Γ = sum / 2^weight_bits, in fixed point twice for the quotient.
-        let numerator = largest_sum << (2 * SCALE - u64::from(self.polytope.weight_bits));
-        Ok(divide_up(&numerator, &gap))
     }
+}
 
-    /// The sum of the absolute weights, an integer over `2^weight_bits`.
-    fn weight_sum(&self, pairs: &[(usize, i64)]) -> Check<Integer> {
-        let inside = pairs.iter().all(|&(index, _)| index < self.vertices.len());
-        ensure(inside, "a combination has an index that is no vertex")?;
-        Ok(pairs.iter().map(|&(_, w)| u128::from(w.unsigned_abs())).sum::<u128>().into())
-    }
-
-    /// `Σ w u`, an integer vector over `2^(bits + weight_bits)`.
-    fn combine(&self, pairs: &[(usize, i64)], work: &mut Work) -> Check<Vec<Integer>> {
-        work.products(pairs.len() * self.dimension, 64, 64)?;
-        let mut sum = vec![Integer::zero(); self.dimension];
-        for &(index, weight) in pairs {
-            for (s, &x) in sum.iter_mut().zip(&self.vertices[index]) {
-                *s += i128::from(weight) * i128::from(x);
+/// The vertex that the image of the given one is by construction, as the next one of an orbit.
+fn met(orbits: &[(usize, Orbit)], Image { vertex, letter }: Image) -> Option<Met> {
+    orbits.iter().find_map(|(first, orbit)| {
+        let step = vertex.checked_sub(*first)?;
+        let next = step + 1;
+        (orbit.word.get(step) == Some(&letter)).then(|| {
+            if next < orbit.word.len() {
+                Met { vertex: first + next, sign: 1 }
+            } else {
+                Met { vertex: *first, sign: orbit.sign }
             }
-        }
-        Ok(sum)
-    }
-
-    /// `d Σ |λ| η` in fixed point.
-    fn combination_error(&self, pairs: &[(usize, i64)]) -> Integer {
-        let terms = pairs.iter().filter(|(index, _)| !self.errors[*index].is_zero());
-        let sum: Integer = terms.map(|&(index, w)| &self.errors[index] * w.unsigned_abs()).sum();
-        shift_up(&(sum * self.dimension), u64::from(self.polytope.weight_bits))
-    }
-
-    /// Checks that the images of the vertices are inside, but for those that are met by
-    /// construction.
-    fn check_images(
-        &self,
-        position: &Position,
-        images: &[Vec<Combination>],
-        met: impl Fn(usize, usize) -> bool,
-        work: &mut Work,
-    ) -> Check<()> {
-        let norm = position.column_norm(self.dimension);
-        for (vertex, of) in images.iter().enumerate().take(self.count) {
-            for (letter, combination) in of.iter().enumerate() {
-                match (combination, met(vertex, letter)) {
-                    (None, true) => {}
-                    (Some(pairs), false) => {
-                        let inside =
-                            self.is_inside(position, &norm, vertex, letter, pairs, work)?;
-                        if !inside {
-                            return fail(format!(
-                                "the image of vertex {vertex} under letter {letter} is not shown to be inside"
-                            ));
-                        }
-                    }
-                    (None, false) => return fail("a combination is null where none is met"),
-                    (Some(_), true) => {
-                        return fail("a combination is not null where a vertex is met");
-                    }
-                }
-            }
-        }
-        Ok(())
-    }
-
-    /// `Σ|λ| + κ ‖r‖_1 < 1`.
-    fn is_inside(
-        &self,
-        position: &Position,
-        norm: &Integer,
-        vertex: usize,
-        letter: usize,
-        pairs: &[(usize, i64)],
-        work: &mut Work,
-    ) -> Check<bool> {
-        let (d, weight_bits) = (self.dimension, u64::from(self.polytope.weight_bits));
-        let sum = self.weight_sum(pairs)?;
-        let combined = self.combine(pairs, work)?;
-        work.products(d * d + d, position.denominator.bits() + 64, 64)?;
-        let image = apply(d, &position.matrices[letter], &self.vertices[vertex]);
-        let rest = image
-            .iter()
-            .zip(&combined)
-            .map(|(a, b)| ((a << weight_bits) - b * &position.denominator).absolute());
-        let scale = weight_bits + u64::from(self.polytope.bits);
-        let rest = rest.sum::<Integer>();
-        let mut rest = ratio_up(&rest, &(&position.denominator << scale));
-        rest += self.combination_error(pairs);
-        if !self.errors[vertex].is_zero() {
-            rest += times_up(norm, &(&self.errors[vertex] * d));
-        }
-        if !position.error.is_zero() {
-            let size: Integer =
-                self.vertices[vertex].iter().map(|x| Integer::from(x.unsigned_abs())).sum();
-            rest += times_up(&position.error, &(size << (SCALE - u64::from(self.polytope.bits))));
-        }
-        Ok((sum << (SCALE - weight_bits)) + times_up(&self.gauge, &rest) < one())
-    }
+        })
+    })
 }

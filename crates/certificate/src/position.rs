@@ -75,3 +75,67 @@ pub(crate) fn norm_by_columns(d: usize, matrix: &[Integer]) -> Integer {
     let column = |j: usize| matrix.iter().skip(j).step_by(d).map(Ordered::absolute);
     (0..d).map(|j| column(j).sum::<Integer>()).max().unwrap_or_default()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::{End, Root};
+    use crate::number::Number;
+    use refinable_algebra::{integer, rational};
+
+    /// One matrix `[[1, -2], [3, 5]] + x [[0, 7], [-4, 0]]`, the slope `2^40` times as large.
+    fn letters() -> Letters {
+        let constant = [1, -2, 3, 5].map(integer).to_vec();
+        let slope = [0, 7, -4, 0].map(|q| integer(q) << 40).to_vec();
+        Letters { dimension: 2, pairs: vec![[constant, slope]], denominator: integer(1) }
+    }
+
+    fn distance(a: &Position, b: &Position) -> Rational {
+        let entry =
+            |p: &Position, k: usize| Rational::new(p.matrices[0][k].clone(), p.denominator.clone());
+        let row = |i: usize| {
+            (0..2)
+                .map(|j| entry(a, 2 * i + j) - entry(b, 2 * i + j))
+                .map(|x| if x < rational(0, 1) { -x } else { x })
+                .sum::<Rational>()
+        };
+        row(0).max(row(1))
+    }
+
+    #[test]
+    fn the_error_of_rounding_is_bounded() {
+        let (letters, work) = (letters(), &mut Work::new());
+        let third = rational(1, 3);
+        let exact = Position::exact(&letters, &third, work).unwrap();
+        let fixed = Position::fixed(&letters, &Real::Rational(third), work).unwrap();
+        let distance = distance(&exact, &fixed);
+        assert!(distance > rational(0, 1));
+        assert!(distance <= Rational::new(fixed.error, integer(1) << SCALE));
+    }
+
+    #[test]
+    fn the_error_of_an_enclosure_is_bounded() {
+        let (letters, work) = (letters(), &mut Work::new());
+        let root_of = [-2, 0, 1].map(|c| Number(rational(c, 1))).to_vec();
+        let between = [1, 2].map(|c| Number(rational(c, 1)));
+        let root = Real::new(&End::Algebraic(Root { root_of, between }), work).unwrap();
+        let fixed = Position::fixed(&letters, &root, work).unwrap();
+        // An enclosure that is as good as exact.
+        let (near, _) = root.enclosure(400, work).unwrap();
+        let near = Position::exact(&letters, &near, work).unwrap();
+        let distance = distance(&near, &fixed);
+        assert!(distance > rational(4, 1) / Rational::from(integer(1) << SCALE));
+        assert!(distance <= Rational::new(fixed.error, integer(1) << SCALE));
+    }
+
+    #[test]
+    fn the_norm_is_that_by_columns() {
+        let matrices =
+            vec![[1, -2, -3, 5].map(integer).to_vec(), [9, 0, 0, 0].map(integer).to_vec()];
+        let position = Position { matrices, denominator: integer(4), error: integer(1) };
+        assert_eq!(position.column_norm(2), ratio_up(&integer(9), &integer(4)) + 1);
+        let position =
+            Position { matrices: vec![[1, -2, -3, 5].map(integer).to_vec()], ..position };
+        assert_eq!(position.column_norm(2), ratio_up(&integer(7), &integer(4)) + 1);
+    }
+}

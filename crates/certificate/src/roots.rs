@@ -1,10 +1,12 @@
-//! Isolation of real roots by Descartes' rule and bisection (Vincent, Collins, Akritas), in the
-//! monomial basis.
+//! Isolation of real roots by Descartes' rule and bisection (Vincent, Collins, Akritas), in
+//! Bernstein's basis (Lane and Riesenfeld).
 
 use std::cmp::Ordering;
 use std::sync::Arc;
 
-use refinable_algebra::{Integer, Ordered, Polynomial, Rational, Ring, integer};
+use refinable_algebra::{
+    Integer, Ordered, Polynomial, Rational, Ring, binomial, integer, least_common_multiple,
+};
 
 use crate::gcd::square_free_part;
 use crate::order::less;
@@ -69,7 +71,7 @@ pub(crate) fn sign_at(
     Ok(polynomial.sign_at(x))
 }
 
-/// A polynomial on the interval `(lower, upper)`, moved to `(0, 1)`.
+/// A polynomial on the interval `(lower, upper)` in Bernstein's basis, up to a positive factor.
 struct Local {
     coefficients: Vec<Integer>,
     lower: Rational,
@@ -101,7 +103,7 @@ fn isolate(
     while let Some(task) = todo.pop() {
         match task {
             Task::Root(x) => roots.push(Real::Rational(x)),
-            Task::Interval(local) => match local.variations(work)? {
+            Task::Interval(local) => match local.variations() {
                 0 => {}
                 1 if local.ends_are_no_roots() => {
                     roots.push(Real::Root(Root::new(polynomial, local.lower, local.upper)));
@@ -114,71 +116,109 @@ fn isolate(
 }
 
 impl Local {
-    /// `e^n p((a + w y)/e)` for the interval from `a/e` to `(a+w)/e`, by Horner's rule.
     fn new(
         polynomial: &Polynomial<Integer>,
         lower: &Rational,
         upper: &Rational,
         work: &mut Work,
     ) -> Check<Self> {
-        let common = lower.denom() * upper.denom();
-        let start = lower.numer() * upper.denom();
-        let width = upper.numer() * lower.denom() - &start;
-        let n = polynomial.coefficients().len();
-        let bits = largest_bits([&common, &start, &width]);
-        let size = polynomial_bits(polynomial).saturating_add(bits.saturating_mul(n as u64));
-        work.products(n * n, size, bits)?;
-        let mut local: Vec<Integer> = Vec::with_capacity(n);
-        let mut power = integer(1);
-        for c in polynomial.coefficients().iter().rev() {
-            local.push(Integer::zero());
-            for k in (0..local.len()).rev() {
-                let below = if k > 0 { &local[k - 1] * &width } else { c * &power };
-                local[k] = &local[k] * &start + below;
-            }
-            power *= &common;
-        }
-        Ok(Local { coefficients: local, lower: lower.clone(), upper: upper.clone() })
+        let mut moved = moved_to_unit(polynomial, lower, upper, work)?;
+        // If p(y) = Σ_k b_k C(n,k) y^k (1-y)^(n-k), then (1+z)^n p(1/(1+z)) = Σ_k b_(n-k) C(n,k) z^k.
+        moved.reverse();
+        shift_by_one(&mut moved, work)?;
+        moved.reverse();
+        let n = moved.len() as u32 - 1;
+        let binomials: Vec<Integer> = (0..=n).map(|k| binomial(n, k)).collect();
+        let common = binomials.iter().fold(integer(1), |c, b| least_common_multiple(&c, b));
+        work.products(4 * moved.len(), largest_bits(&moved), common.bits() * 64)?;
+        let scaled = moved.iter().zip(&binomials).map(|(c, b)| c * (&common / b)).collect();
+        let mut local = Local { coefficients: scaled, lower: lower.clone(), upper: upper.clone() };
+        strip_twos(&mut local.coefficients);
+        Ok(local)
     }
 
     /// Descartes' bound for the number of roots in the open interval; exact if it is 0 or 1.
-    fn variations(&self, work: &mut Work) -> Check<usize> {
-        let mut moved: Vec<Integer> = self.coefficients.iter().rev().cloned().collect();
-        shift_by_one(&mut moved, work)?;
-        let signs = moved.iter().map(Ordered::compare_to_zero).filter(|s| s.is_ne());
+    fn variations(&self) -> usize {
+        let signs = self.coefficients.iter().map(Ordered::compare_to_zero).filter(|s| s.is_ne());
         let mut count = 0;
         let mut last = None;
         for sign in signs {
             count += usize::from(last.is_some_and(|l| l != sign));
             last = Some(sign);
         }
-        Ok(count)
+        count
     }
 
     fn ends_are_no_roots(&self) -> bool {
-        !self.coefficients[0].is_zero() && !self.coefficients.iter().sum::<Integer>().is_zero()
+        let ends = [self.coefficients.first(), self.coefficients.last()];
+        ends.into_iter().flatten().all(|c| !c.is_zero())
     }
 
-    /// Puts the right half, the middle if it is a root, and the left half on the stack.
+    /// Puts the right half, the middle if it is a root, and the left half on the stack, by the
+    /// algorithm of de Casteljau.
     fn split_onto(self, todo: &mut Vec<Task>, work: &mut Work) -> Check<()> {
-        let n = self.coefficients.len();
-        let scaled = self.coefficients.into_iter().enumerate();
-        let left: Vec<Integer> = scaled.map(|(k, c)| c << (n - 1 - k)).collect();
-        let mut right = left.clone();
-        shift_by_one(&mut right, work)?;
-        let middle = (&self.lower + &self.upper) / integer(2);
-        let on_middle = right[0].is_zero();
-        todo.push(Task::Interval(Local {
-            coefficients: right,
-            lower: middle.clone(),
-            upper: self.upper,
-        }));
-        if on_middle {
-            todo.push(Task::Root(middle.clone()));
+        let mut right = self.coefficients;
+        let n = right.len() - 1;
+        work.products(n * n / 2, largest_bits(&right) + n as u64, 1)?;
+        // Sums in place of means: after k steps times 2^k.
+        let mut left = Vec::with_capacity(n + 1);
+        for k in 0..=n {
+            left.push(&right[0] << (n - k));
+            for i in 0..n - k {
+                let (low, high) = right.split_at_mut(i + 1);
+                low[i] += &high[0];
+            }
         }
-        todo.push(Task::Interval(Local { coefficients: left, lower: self.lower, upper: middle }));
+        for (k, c) in right.iter_mut().enumerate() {
+            *c <<= k;
+        }
+        let on_middle = right[0].is_zero();
+        let middle = (&self.lower + &self.upper) / integer(2);
+        for half in [&mut left, &mut right] {
+            strip_twos(half);
+        }
+        let upper = Local { coefficients: right, lower: middle.clone(), upper: self.upper };
+        let lower = Local { coefficients: left, lower: self.lower, upper: middle.clone() };
+        todo.push(Task::Interval(upper));
+        if on_middle {
+            todo.push(Task::Root(middle));
+        }
+        todo.push(Task::Interval(lower));
         Ok(())
     }
+}
+
+/// `e^n p((a + w y)/e)` for the interval from `a/e` to `(a+w)/e`, by Horner's rule.
+fn moved_to_unit(
+    polynomial: &Polynomial<Integer>,
+    lower: &Rational,
+    upper: &Rational,
+    work: &mut Work,
+) -> Check<Vec<Integer>> {
+    let common = lower.denom() * upper.denom();
+    let start = lower.numer() * upper.denom();
+    let width = upper.numer() * lower.denom() - &start;
+    let n = polynomial.coefficients().len();
+    let bits = largest_bits([&common, &start, &width]);
+    let size = polynomial_bits(polynomial).saturating_add(bits.saturating_mul(n as u64));
+    work.products(n * n, size, bits)?;
+    let mut moved: Vec<Integer> = Vec::with_capacity(n);
+    let mut power = integer(1);
+    for c in polynomial.coefficients().iter().rev() {
+        moved.push(Integer::zero());
+        for k in (0..moved.len()).rev() {
+            let below = if k > 0 { &moved[k - 1] * &width } else { c * &power };
+            moved[k] = &moved[k] * &start + below;
+        }
+        power *= &common;
+    }
+    Ok(moved)
+}
+
+/// Divides by the largest power of two that divides all.
+fn strip_twos(coefficients: &mut [Integer]) {
+    let twos = coefficients.iter().filter_map(Integer::trailing_zeros).min().unwrap_or(0);
+    coefficients.iter_mut().for_each(|c| *c >>= twos);
 }
 
 /// `p(y) → p(y + 1)`.

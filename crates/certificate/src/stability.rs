@@ -5,9 +5,9 @@ use refinable_algebra::{Integer, Polynomial, Rational, Ring};
 
 use crate::circle::{Pair, have_no_common_zero};
 use crate::cyclotomic::{cyclotomic, even_orders, odd_orders};
-use crate::determinant::determinant;
 use crate::family::{AffineSymbol, Scheme, with_squares};
 use crate::real::Real;
+use crate::resultant::{Coefficients, of_squares, resultant};
 use crate::roots::real_roots;
 use crate::work::{Check, Work, ensure, fail, largest_bits};
 
@@ -65,14 +65,13 @@ fn check_even_order(
     let rests = halves.clone().map(|half| half.map(rest));
     let vanishes = |part: &&[Polynomial<Integer>; 2]| part.iter().all(Ring::is_zero);
     let Some([p, q]) = rests.iter().find(|part| !vanishes(part)) else { return fail(reason) };
-    if q.is_zero() || !dependence(&rests).divide_by_monic(&divisor).1.is_zero() {
+    if !dependence(&rests).divide_by_monic(&divisor).1.is_zero() {
         return Ok(());
     }
     let length = p.coefficients().len().max(q.coefficients().len());
     let part = [p, q].map(|c| (0..length).map(|i| c.coefficient(i)).collect());
-    let divisor = divisor.coefficients().to_vec();
-    let zeros = vec![Integer::zero(); divisor.len()];
-    for root in real_roots(&resultant(&[[divisor, zeros], part], work)?, work)? {
+    let divisor = divisor.coefficients().iter().cloned().map(Polynomial::constant).collect();
+    for root in real_roots(&resultant(&divisor, &coefficients(&part), work)?, work)? {
         ensure(is_among(&root, exceptions, work)?, reason)?;
     }
     Ok(())
@@ -96,21 +95,9 @@ fn is_among(x: &Real, exceptions: &[Real], work: &mut Work) -> Check<bool> {
     Ok(false)
 }
 
-/// The resultant, as a polynomial in the parameter: the determinant of Sylvester's matrix.
-fn resultant([a, b]: &[Pair; 2], work: &mut Work) -> Check<Polynomial<Integer>> {
-    let (m, n) = (a[0].len().saturating_sub(1), b[0].len().saturating_sub(1));
-    let varies = |part: &Pair| usize::from(part[1].iter().any(|q| !q.is_zero()));
-    let coefficient = |part: &Pair, i: usize| match part[0].get(i) {
-        Some(p) => Polynomial::new(vec![p.clone(), part[1][i].clone()]),
-        None => Polynomial::zero(),
-    };
-    let entry = |k: usize| {
-        let (i, j) = (k / (m + n), k % (m + n));
-        let (part, shift) = if i < n { (a, i) } else { (b, i - n) };
-        j.checked_sub(shift).map_or_else(Polynomial::zero, |l| coefficient(part, l))
-    };
-    let matrix: Vec<_> = (0..(m + n) * (m + n)).map(entry).collect();
-    determinant(m + n, &matrix, varies(a) * n + varies(b) * m, work)
+/// Coefficients that are affine in the parameter.
+fn coefficients([p, q]: &Pair) -> Coefficients {
+    p.iter().zip(q).map(|(p, q)| Polynomial::new(vec![p.clone(), q.clone()])).collect()
 }
 
 /// Checks that no orbit of a root of unity `ζ` of odd order `r ≥ 3` under squaring consists of zeros
@@ -123,8 +110,9 @@ fn check_cycles(scheme: &Scheme, exceptions: &[Real], work: &mut Work) -> Check<
     }
     // An irrational parameter value: ζ and ζ² are both zeros.
     let symbol = without_zeros(without_zeros_at_one(symbol));
-    let squared = symbol.clone().map(|c| with_squares(&c));
-    let resultant = resultant(&[symbol.clone(), squared], work)?;
+    // The resultant of f(z) and f(z²) is that of f and a polynomial with the zeros ζ².
+    let affine = coefficients(&symbol);
+    let resultant = resultant(&of_squares(&affine, work)?, &affine, work)?;
     ensure(!resultant.is_zero(), "could not be checked: c(-z) and c(-z²) have a common factor")?;
     for root in real_roots(&resultant, work)? {
         let settled = is_among(&root, exceptions, work)?

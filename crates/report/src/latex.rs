@@ -174,8 +174,8 @@ pub fn formula_or_text(text: &str) -> String {
 fn formula(text: &str) -> Option<String> {
     let mut math = String::new();
     let mut rest = text.trim();
-    let mut open_roots: Vec<usize> = Vec::new();
-    let mut depth = 0;
+    let mut open_roots: Vec<i32> = Vec::new();
+    let mut depth = 0_i32;
     while let Some(c) = rest.chars().next() {
         let word: String = rest.chars().take_while(char::is_ascii_alphabetic).collect();
         if word == "sqrt" && rest[4..].starts_with('(') {

@@ -3,13 +3,16 @@
 //! # Source
 //! N. Guglielmi, V. Yu. Protasov, *Exact computation of joint spectral characteristics of linear
 //! operators*, Found. Comput. Math. 13 (2013): begin with the leading eigenvectors, add every image
-//! that is outside, until none is.
+//! that is outside, until none is. Complex vertices where the leading eigenvalue is complex:
+//! N. Guglielmi, F. Wirth, M. Zennaro, *Complex polytope extremality results for families of
+//! matrices*, SIAM J. Matrix Anal. Appl. 27 (2005).
 
 use std::ops::Range;
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::gauge::{Gauge, Limits};
+use crate::gauge::{FINEST, Gauge, Limits};
+use crate::leading::{followed, product};
 use crate::word::Word;
 
 /// The matrices at both ends of an interval; orbits are those of eigenvectors at `end`.
@@ -28,61 +31,128 @@ pub(crate) struct Effort {
     pub vertices: usize,
 }
 
-/// A symmetric polytope with its mirror images, by vertices.
+/// A symmetric polytope with its mirror images, by vertices: the real parts of all coordinates and
+/// then, if complex, the imaginary parts.
 #[derive(Clone, Debug)]
 pub(crate) struct Body {
+    pub dimension: usize,
     pub vertices: Vec<Vec<f64>>,
+    /// Where each vertex comes from.
+    origins: Vec<Origin>,
     pub orbits: Vec<Orbit>,
+    pub shape: Shape,
+}
+
+/// Where a vertex comes from.
+#[derive(Clone, Debug)]
+enum Origin {
+    /// An eigenvector of the product along a word.
+    Eigenvector(Word),
+    /// It was given.
+    Given,
+    /// The image of a vertex that came before, divided by the growth of its orbit.
+    Next { parent: usize, letter: u8 },
+    /// The image of a vertex that came before, times a factor.
+    Image { parent: usize, letter: usize, factor: f64 },
+}
+
+/// What kind of polytope.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(crate) struct Shape {
     pub mirrored: bool,
+    pub complex: bool,
+    pub closing: Closing,
+}
+
+/// How orbits close at the end.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(crate) enum Closing {
+    /// By construction: they are those of eigenvectors for the eigenvalue 1 or -1.
+    Orbits,
+    /// Images may be vertices.
+    Vertices,
+    /// All images are inside, those that close an orbit by so much.
+    Inside(f64),
 }
 
 /// The vertices `first, first + 1, …` are the orbit of an eigenvector along a word.
 #[derive(Clone, Debug)]
 pub(crate) struct Orbit {
     pub word: Word,
-    pub sign: i32,
     pub first: usize,
 }
 
 /// By how much an image must be inside that is the next vertex of an orbit at the end.
 const JUST_INSIDE: f64 = 1e-8;
+/// How many binary places numbers have for which floats are exact.
+const SHORT: f64 = (1 << 24) as f64;
 
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq)]
 enum Side {
     Inner,
     End,
 }
 
 struct Image {
-    vector: DVector<f64>,
+    parent: usize,
+    letter: usize,
+    vector: Vec<f64>,
     margin: f64,
 }
 
 /// Where a search begins.
 #[derive(Clone, Debug)]
 pub(crate) enum Start {
-    /// An eigenvector for the eigenvalue `sign` of the product along the word.
-    Orbit(Word, i32, DVector<f64>),
+    /// An eigenvector of the product along the word; each matrix is divided by the growth.
+    Orbit { word: Word, growth: f64, vector: Vec<f64> },
+    /// An eigenvector of the product along the word for a smaller eigenvalue.
+    Companion { word: Word, vector: Vec<f64> },
     /// Any vector.
-    Free(DVector<f64>),
+    Free(Vec<f64>),
 }
 
 impl Start {
+    /// The vector.
+    pub fn vector(&self) -> &[f64] {
+        let (Start::Orbit { vector, .. } | Start::Companion { vector, .. } | Start::Free(vector)) =
+            self;
+        vector
+    }
+
+    /// The vector, to be changed.
+    pub fn vector_mut(&mut self) -> &mut Vec<f64> {
+        let (Start::Orbit { vector, .. } | Start::Companion { vector, .. } | Start::Free(vector)) =
+            self;
+        vector
+    }
+
     /// The same start with its vector made longer or shorter.
     pub fn stretched(&self, factor: f64) -> Self {
-        match self {
-            Start::Orbit(word, sign, v) => Start::Orbit(word.clone(), *sign, v * factor),
-            Start::Free(v) => Start::Free(v * factor),
-        }
+        let mut start = self.clone();
+        start.vector_mut().iter_mut().for_each(|x| *x *= factor);
+        start
     }
 }
 
 impl Body {
     /// Adds images under the matrices at both ends until all images are inside, by `margin` at
     /// least, but for those that close an orbit. `None` if there are too many.
-    pub fn grow(ends: &Ends, mirrored: bool, starts: &[Start], effort: Effort) -> Option<Self> {
+    pub fn grow(ends: &Ends, shape: Shape, starts: &[Start], effort: Effort) -> Option<Self> {
+        let (body, finished) = Body::grown(ends, shape, starts, effort);
+        finished.then_some(body)
+    }
+
+    /// What has grown with this effort, and whether it was enough.
+    pub fn grown(ends: &Ends, shape: Shape, starts: &[Start], effort: Effort) -> (Self, bool) {
         let Effort { margin, vertices } = effort;
-        let mut body = Body { vertices: Vec::new(), orbits: Vec::new(), mirrored };
+        let dimension = ends.end[0].nrows();
+        let mut body = Body {
+            dimension,
+            vertices: Vec::new(),
+            origins: Vec::new(),
+            orbits: Vec::new(),
+            shape,
+        };
         for start in starts {
             body.begin(ends.end, start);
         }
@@ -94,19 +164,25 @@ impl Body {
             {
                 (true, _) => (Side::End, &mut at_end),
                 (false, true) => (Side::Inner, &mut at_inner),
-                (false, false) => return Some(body),
+                (false, false) => return (body, true),
             };
             let generation = *from..body.vertices.len();
             *from = body.vertices.len();
             let mut images = body.images(ends, side, generation, margin);
             // Long images first: they may swallow the others.
-            images.sort_by(|a, b| b.vector.norm().total_cmp(&a.vector.norm()));
-            for Image { vector, margin } in images {
-                let limits = Limits { inside: 1.0 - margin, outside: 1.0 + 1e-9 };
-                if gauge.represent(vector.as_slice(), limits).total > limits.inside {
-                    body.add(&mut gauge, vector * (1.0 + 2.0 * effort.margin));
+            images.sort_by(|a, b| norm(&b.vector).total_cmp(&norm(&a.vector)));
+            for Image { parent, letter, vector, margin } in images {
+                let limits = Limits { inside: 1.0 - margin, outside: 1.0 + 1e-9, accuracy: FINEST };
+                if gauge.represent(&vector, limits).total > limits.inside {
+                    // Where vertices are to meet they must stay as they are.
+                    let stays = side == Side::End
+                        && shape.closing == Closing::Vertices
+                        && is_short(&vector);
+                    let factor = if stays { 1.0 } else { 1.0 + 2.0 * effort.margin };
+                    body.push_with_mirror(&mut gauge, &scaled(&vector, factor));
+                    body.push(scaled(&vector, factor), Origin::Image { parent, letter, factor });
                     if body.vertices.len() > vertices {
-                        return None;
+                        return (body, false);
                     }
                 }
             }
@@ -115,47 +191,88 @@ impl Body {
 
     fn begin(&mut self, matrices: &[DMatrix<f64>], start: &Start) {
         match start {
-            Start::Free(v) => self.vertices.push(v.as_slice().to_vec()),
-            Start::Orbit(word, sign, v) => {
+            Start::Free(v) => self.push(v.clone(), Origin::Given),
+            Start::Companion { word, vector } => {
+                self.push(vector.clone(), Origin::Eigenvector(word.clone()));
+            }
+            Start::Orbit { word, growth, vector } => {
                 let first = self.vertices.len();
-                self.orbits.push(Orbit { word: word.clone(), sign: *sign, first });
-                let mut v = v.clone();
-                for &letter in word.letters() {
-                    self.vertices.push(v.as_slice().to_vec());
-                    v = &matrices[usize::from(letter)] * v;
+                self.orbits.push(Orbit { word: word.clone(), first });
+                self.push(vector.clone(), Origin::Eigenvector(word.clone()));
+                let (_, letters) = word.letters().split_last().expect("words are not empty");
+                for (parent, &letter) in (first..).zip(letters) {
+                    let next = apply(&matrices[usize::from(letter)], &self.vertices[parent]);
+                    self.push(scaled(&next, 1.0 / growth), Origin::Next { parent, letter });
                 }
             }
         }
     }
 
-    fn add(&mut self, gauge: &mut Gauge, vertex: DVector<f64>) {
-        let vertex = vertex.as_slice().to_vec();
-        push_with_mirror(gauge, &vertex, self.mirrored);
+    fn push(&mut self, vertex: Vec<f64>, origin: Origin) {
         self.vertices.push(vertex);
+        self.origins.push(origin);
+    }
+
+    /// The polytope with the same vertices for the matrices at the inner end, eigenvectors for
+    /// eigenvectors and images for images.
+    pub fn carried(&self, ends: &Ends) -> Option<Body> {
+        let mut moved = self.with_vertices(Vec::new());
+        let mut growth = 1.0;
+        for (vertex, origin) in self.vertices.iter().zip(&self.origins) {
+            let next = match origin {
+                Origin::Given => vertex.clone(),
+                Origin::Next { parent, letter } => scaled(
+                    &apply(&ends.inner[usize::from(*letter)], &moved.vertices[*parent]),
+                    1.0 / growth,
+                ),
+                Origin::Image { parent, letter, factor } => {
+                    scaled(&apply(&ends.inner[*letter], &moved.vertices[*parent]), *factor)
+                }
+                Origin::Eigenvector(word) => {
+                    let [at_inner, at_end] = [ends.inner, ends.end].map(|m| product(m, word));
+                    let (eigenvalue, vector) = followed(&at_end, vertex, &at_inner)?;
+                    growth = eigenvalue.norm().powf(1.0 / word.letters().len() as f64);
+                    vector
+                }
+            };
+            moved.vertices.push(next);
+        }
+        Some(moved)
     }
 
     /// The images that have to be inside, and by how much.
     fn images(&self, ends: &Ends, side: Side, generation: Range<usize>, margin: f64) -> Vec<Image> {
-        let matrices = match side {
-            Side::End => ends.end,
-            Side::Inner => ends.inner,
-        };
         let mut images = Vec::new();
         for vertex in generation {
-            let v = DVector::from_column_slice(&self.vertices[vertex]);
-            for (letter, m) in matrices.iter().enumerate() {
-                let margin = match (side, self.closes_orbit(vertex, letter)) {
-                    (Side::End, true) => continue,
+            for letter in 0..ends.end.len() {
+                let closes = self.closes(ends, vertex, letter);
+                let margin = match (side, closes, self.shape.closing) {
+                    (Side::End, true, Closing::Inside(margin)) => margin,
+                    (Side::End, true, _) => continue,
+                    (Side::End, false, _) => margin,
                     // Near the end this image is near the next vertex of the orbit: only just inside.
-                    (Side::Inner, true) => JUST_INSIDE,
+                    (Side::Inner, true, Closing::Inside(margin)) => JUST_INSIDE.min(margin / 4.0),
+                    (Side::Inner, true, _) => JUST_INSIDE,
                     // Less than the excess that vertices get, so that small changes add none.
-                    (Side::Inner, false) => margin / 4.0,
-                    (Side::End, false) => margin,
+                    (Side::Inner, false, _) => margin / 4.0,
                 };
-                images.push(Image { vector: m * &v, margin });
+                let matrices = if side == Side::End { ends.end } else { ends.inner };
+                let Some(matrix) = matrices.get(letter) else { continue };
+                let vector = apply(matrix, &self.vertices[vertex]);
+                images.push(Image { parent: vertex, letter, vector, margin });
             }
         }
         images
+    }
+
+    /// Whether the image of the vertex at the end is a vertex.
+    fn closes(&self, ends: &Ends, vertex: usize, letter: usize) -> bool {
+        match self.shape.closing {
+            Closing::Vertices => {
+                self.twin(&apply(&ends.end[letter], &self.vertices[vertex])).is_some()
+            }
+            _ => self.closes_orbit(vertex, letter),
+        }
     }
 
     /// Whether the image of the vertex under the letter is the next vertex of its orbit.
@@ -166,39 +283,135 @@ impl Body {
         })
     }
 
-    /// The gauge of the polytope; atom `k` is vertex `k`, or with mirror images vertex `k / 2`.
+    /// The same polytope with other vertices.
+    pub fn with_vertices(&self, vertices: Vec<Vec<f64>>) -> Self {
+        Body { vertices, ..self.clone() }
+    }
+
+    /// The atom that the image of a vertex at the end is, and its sign.
+    pub fn met(&self, ends: &Ends, vertex: usize, letter: usize) -> Option<(usize, i32)> {
+        match self.shape.closing {
+            Closing::Inside(_) => None,
+            Closing::Vertices => self.twin(&apply(&ends.end[letter], &self.vertices[vertex])),
+            Closing::Orbits => self.orbits.iter().find_map(|orbit| {
+                let letters = orbit.word.letters();
+                let step = vertex.checked_sub(orbit.first)?;
+                if letters.get(step) != Some(&(letter as u8)) {
+                    return None;
+                }
+                let last = step + 1 == letters.len();
+                let next = if last { orbit.first } else { vertex + 1 };
+                let sign = if last { self.sign_of(orbit, ends) } else { 1 };
+                Some((self.atoms_of(next).0, sign))
+            }),
+        }
+    }
+
+    /// The eigenvalue, 1 or -1, of the product along an orbit at the end.
+    pub fn sign_of(&self, orbit: &Orbit, ends: &Ends) -> i32 {
+        let start = &self.vertices[orbit.first];
+        let letters = orbit.word.letters().iter();
+        let image = letters.fold(start.clone(), |v, &e| apply(&ends.end[usize::from(e)], &v));
+        let product: f64 = image.iter().zip(start).map(|(x, y)| x * y).sum();
+        if product < 0.0 { -1 } else { 1 }
+    }
+
+    /// The atom that is the vector, and its sign.
+    fn twin(&self, v: &[f64]) -> Option<(usize, i32)> {
+        if !is_short(v) {
+            return None;
+        }
+        let same =
+            |u: &mut dyn Iterator<Item = &f64>, sign: f64| u.zip(v).all(|(a, b)| a * sign == *b);
+        (0..self.vertices.len()).find_map(|k| {
+            let u = &self.vertices[k];
+            let (plain, mirror) = self.atoms_of(k);
+            [1, -1].into_iter().find_map(|sign| {
+                if same(&mut u.iter(), f64::from(sign)) {
+                    return Some((plain, sign));
+                }
+                mirror
+                    .filter(|_| same(&mut u.iter().rev(), f64::from(sign)))
+                    .map(|mirror| (mirror, sign))
+            })
+        })
+    }
+
+    /// The atoms of the gauge that are a vertex and its mirror image.
+    fn atoms_of(&self, vertex: usize) -> (usize, Option<usize>) {
+        if self.shape.mirrored { (2 * vertex, Some(2 * vertex + 1)) } else { (vertex, None) }
+    }
+
+    /// The vertex that is an atom of the gauge, or of which it is the mirror image.
+    pub fn vertex_of(&self, atom: usize) -> (usize, bool) {
+        if self.shape.mirrored { (atom / 2, atom % 2 == 1) } else { (atom, false) }
+    }
+
+    /// The gauge of the polytope.
     pub fn gauge(&self) -> Gauge {
-        let dimension = self.vertices.first().map_or(0, Vec::len);
-        let mut gauge = Gauge::new(dimension);
+        let mut gauge = Gauge::new(self.dimension, self.shape.complex);
         for vertex in &self.vertices {
-            push_with_mirror(&mut gauge, vertex, self.mirrored);
+            self.push_with_mirror(&mut gauge, vertex);
         }
         gauge
     }
 
-    /// Unit vectors in whose direction the polytope is thinner than `ratio` of its width.
-    pub fn thin_directions(&self, ratio: f64) -> Vec<DVector<f64>> {
-        let mut columns: Vec<DVector<f64>> =
-            self.vertices.iter().map(|v| DVector::from_column_slice(v)).collect();
-        if self.mirrored {
-            let mirror = |v: &Vec<f64>| DVector::from_iterator(v.len(), v.iter().rev().copied());
-            columns.extend(self.vertices.iter().map(mirror));
+    fn push_with_mirror(&self, gauge: &mut Gauge, vertex: &[f64]) {
+        gauge.push(vertex);
+        if self.shape.mirrored {
+            gauge.push(&mirrored(self.dimension, vertex));
         }
-        let d = columns[0].len();
-        let gram = columns.iter().fold(DMatrix::zeros(d, d), |sum, v| sum + v * v.transpose());
+    }
+
+    /// Unit vectors in whose direction the polytope is thinner than `ratio` of its width.
+    pub fn thin_directions(&self, ratio: f64) -> Vec<Vec<f64>> {
+        let d = self.dimension;
+        let mut parts: Vec<DVector<f64>> = self
+            .vertices
+            .iter()
+            .flat_map(|v| v.chunks_exact(d))
+            .map(DVector::from_column_slice)
+            .collect();
+        if self.shape.mirrored {
+            let mirror = |v: &DVector<f64>| DVector::from_iterator(d, v.iter().rev().copied());
+            parts.extend(parts.iter().map(mirror).collect::<Vec<_>>());
+        }
+        let gram = parts.iter().fold(DMatrix::zeros(d, d), |sum, v| sum + v * v.transpose());
         let eigen = gram.symmetric_eigen();
         let widest = eigen.eigenvalues.max();
+        let size = if self.shape.complex { 2 * d } else { d };
         (0..d)
             .filter(|&i| eigen.eigenvalues[i] < widest * ratio * ratio)
-            .map(|i| eigen.eigenvectors.column(i).into_owned())
+            .map(|i| padded(eigen.eigenvectors.column(i).as_slice(), size))
             .collect()
     }
 }
 
-fn push_with_mirror(gauge: &mut Gauge, vertex: &[f64], mirrored: bool) {
-    gauge.push(vertex);
-    if mirrored {
-        let mirror: Vec<f64> = vertex.iter().rev().copied().collect();
-        gauge.push(&mirror);
-    }
+fn is_short(v: &[f64]) -> bool {
+    v.iter().all(|x| (x * SHORT).fract() == 0.0)
+}
+
+/// The image of a vector, real or complex.
+pub(crate) fn apply(matrix: &DMatrix<f64>, v: &[f64]) -> Vec<f64> {
+    let d = matrix.nrows();
+    let part = |part: &[f64]| (matrix * DVector::from_column_slice(part)).as_slice().to_vec();
+    v.chunks_exact(d).flat_map(part).collect()
+}
+
+/// The vector with its coordinates in reverse order.
+pub(crate) fn mirrored(dimension: usize, v: &[f64]) -> Vec<f64> {
+    v.chunks_exact(dimension).flat_map(|part| part.iter().rev().copied()).collect()
+}
+
+/// A real vector, followed by zero imaginary parts up to the size.
+pub(crate) fn padded(v: &[f64], size: usize) -> Vec<f64> {
+    v.iter().copied().chain(std::iter::repeat(0.0)).take(size).collect()
+}
+
+fn scaled(v: &[f64], factor: f64) -> Vec<f64> {
+    v.iter().map(|x| x * factor).collect()
+}
+
+fn norm(v: &[f64]) -> f64 {
+    v.iter().map(|x| x * x).sum()
 }

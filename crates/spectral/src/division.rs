@@ -128,7 +128,7 @@ fn conclude(known: &[(Rational, Rational)], proofs: Vec<Cover>, expansion: &Expa
 fn proved_by(polytope: &Polytope) -> Region {
     let inner = RealAlgebraic::from(polytope.inner.0.clone());
     let end = real_algebraic(&polytope.end);
-    let far = if polytope.leading.is_empty() { Bound::Closed } else { Bound::Open };
+    let far = if polytope.open { Bound::Open } else { Bound::Closed };
     if inner <= end {
         Region::interval(Bound::Closed(inner), far(end))
     } else {
@@ -289,8 +289,8 @@ fn samples(interval: &Interval) -> Vec<f64> {
     }
 }
 
-/// How many closed intervals are tried between two numbers.
-const MOST_TRIES: usize = 16;
+/// How many polytopes are tried one after the other between two numbers.
+const MOST_STEPS: usize = 48;
 
 /// Polytopes on parts of an interval.
 #[derive(Default)]
@@ -301,36 +301,53 @@ struct Cover {
 }
 
 impl Cover {
-    /// Adds polytopes on closed intervals that together make up `[a, b]`, as far as the effort goes:
-    /// each as long as possible, then from its end on.
-    fn fill(&mut self, search: &Search, a: &Rational, b: &Rational) {
-        let shortest = (b - a) * rational(1, 1 << 22);
-        let mut reached = a.clone();
-        let mut step = b - a;
-        for _ in 0..MOST_TRIES {
-            if reached >= *b || step < shortest {
+    /// Adds polytopes from one number towards another, each from where the one before ends, as far as
+    /// the effort goes.
+    fn advance(&mut self, search: &Search, from: &Rational, goal: &Rational) {
+        let mut reached = from.clone();
+        for _ in 0..MOST_STEPS {
+            if reached == *goal {
                 return;
             }
-            let rest = b - &reached;
-            let next = if step >= rest {
-                b.clone()
-            } else {
-                let (x, y) = (approximate(&reached), approximate(&step));
-                short_dyadic(x + y, y / 8.0)
-            };
-            match search.closed(&reached, &next) {
+            match search.step(&reached, goal) {
                 Closed::Proved(polytope) => {
+                    reached = polytope.inner.0.clone();
                     self.polytopes.push(*polytope);
-                    step = (&next - &reached) * rational(2, 1);
-                    reached = next;
                 }
                 Closed::Faster(word) => {
                     self.faster.push(word);
                     return;
                 }
-                Closed::Nothing => step = step.min(rest) / rational(3, 1),
+                Closed::Nothing => return,
             }
         }
+    }
+
+    /// From an end towards a goal: from the end itself, if a polytope reaches it exactly, or else from
+    /// a number that is a gap away.
+    fn from_end(
+        search: &Search,
+        end: &RealAlgebraic,
+        crossings: &[Crossing],
+        goal: &Rational,
+        gap: f64,
+    ) -> Self {
+        let mut cover = Cover::default();
+        let start = match search.up_to(end, crossings, goal) {
+            Some(polytope) => {
+                let reached = polytope.inner.0.clone();
+                cover.polytopes.push(polytope);
+                reached
+            }
+            None => short_dyadic(approximate_root(end) + gap, gap.abs() / 4.0),
+        };
+        cover.advance(search, &start, goal);
+        cover
+    }
+
+    fn extend(&mut self, other: Cover) {
+        self.polytopes.extend(other.polytopes);
+        self.faster.extend(other.faster);
     }
 }
 
@@ -355,39 +372,19 @@ fn prove(
     let mut solid: Vec<(Rational, Rational)> =
         known.iter().filter(|(l, r)| inside(l) && inside(r)).cloned().collect();
     solid.sort();
-    let middle = short_dyadic((a + b) / 2.0, (b - a) / 8.0);
-    let goals = (
-        solid.first().map_or(&middle, |s| &s.0).clone(),
-        solid.last().map_or(&middle, |s| &s.1).clone(),
-    );
+    if solid.is_empty() {
+        let middle = short_dyadic((a + b) / 2.0, (b - a) / 8.0);
+        solid.push((middle.clone(), middle));
+    }
     let gap = approximate(&options.gap) * (b - a) * 0.5;
-    let (from_lower, from_upper) = rayon::join(
-        || from_end(search, lower, crossings, &goals.0, gap),
-        || from_end(search, upper, crossings, &goals.1, -gap),
+    let goals = (&solid[0].0, &solid[solid.len() - 1].1);
+    let (mut cover, from_upper) = rayon::join(
+        || Cover::from_end(search, lower, crossings, goals.0, gap),
+        || Cover::from_end(search, upper, crossings, goals.1, -gap),
     );
-    let mut cover = Cover::default();
-    let mut reached = from_lower.0;
-    cover.polytopes.extend(from_lower.1);
-    cover.polytopes.extend(from_upper.1);
-    solid.push((from_upper.0.clone(), from_upper.0));
-    for (l, r) in solid {
-        cover.fill(search, &reached, &l);
-        reached = reached.max(r);
+    cover.extend(from_upper);
+    for pair in solid.windows(2) {
+        cover.advance(search, &pair[0].1, &pair[1].0);
     }
     cover
-}
-
-/// A polytope that reaches the end exactly, and the rational number it comes from; or else the
-/// number at which to begin, a gap away from the end.
-fn from_end(
-    search: &Search,
-    end: &RealAlgebraic,
-    crossings: &[Crossing],
-    goal: &Rational,
-    gap: f64,
-) -> (Rational, Option<Polytope>) {
-    match search.up_to(end, crossings, goal) {
-        Some(polytope) => (polytope.inner.0.clone(), Some(polytope)),
-        None => (short_dyadic(approximate_root(end) + gap, gap.abs() / 4.0), None),
-    }
 }

@@ -2,20 +2,46 @@
 //!
 //! Every set of `d` independent atoms, with signs, is a feasible basis of this linear program, so
 //! the primal simplex method needs no first phase and starts where the last question ended.
+//!
+//! With complex weights each atom stands for a circle of columns `e^(iφ) u`; the dearest phase of each
+//! is known in closed form, so that columns are made when they enter the basis.
 
-/// The polytope spanned by `±` atoms.
+use nalgebra::Complex;
+
+/// The ball spanned by atoms and, if complex, their conjugates.
 ///
-/// The first `d` atoms are tiny multiples of the unit vectors: they make every vector
-/// representable, at a price that shows when a vector is outside the span of the true atoms.
+/// The first atoms are tiny multiples of the unit vectors: they make every vector representable, at
+/// a price that shows when a vector is outside the span of the true atoms.
 #[derive(Clone, Debug)]
 pub(crate) struct Gauge {
-    dimension: usize,
+    /// The number of real coordinates: real parts first, then imaginary parts if complex.
+    size: usize,
+    complex: bool,
     atoms: Vec<f64>,
-    basis: Vec<usize>,
-    /// With which sign each basic atom is used; where its weight is zero the sign still counts.
-    signs: Vec<f64>,
-    /// Row-major inverse of the matrix with the basic atoms as columns.
+    basis: Vec<Column>,
+    /// Row-major inverse of the matrix with the basic columns.
     inverse: Vec<f64>,
+}
+
+/// A column of the linear program: a phase times an atom.
+#[derive(Clone, Debug)]
+struct Column {
+    atom: Atom,
+    /// 1 or -1 if real.
+    phase: Complex<f64>,
+    vector: Vec<f64>,
+    /// With which sign it is used; where its weight is zero the sign still counts.
+    sign: f64,
+}
+
+/// Which atom: a true one, its conjugate, or a tiny one.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub(crate) enum Atom {
+    /// As it was pushed.
+    Plain(usize),
+    /// The complex conjugate.
+    Conjugate(usize),
+    Tiny,
 }
 
 /// When a question may be answered before the optimum is known.
@@ -25,13 +51,15 @@ pub(crate) struct Limits {
     pub inside: f64,
     /// No representation with a smaller total exists: that will do.
     pub outside: f64,
+    /// By what part the total may be larger than the least.
+    pub accuracy: f64,
 }
 
 /// A representation of a vector by atoms.
 #[derive(Clone, Debug)]
 pub(crate) struct Representation {
-    /// Pairs of a true atom, counted from 0, and its weight.
-    pub weights: Vec<(usize, f64)>,
+    /// Pairs of a true atom and its weight.
+    pub weights: Vec<(Atom, Complex<f64>)>,
     /// The sum of absolute weights, tiny atoms included at their price.
     pub total: f64,
 }
@@ -40,24 +68,23 @@ pub(crate) struct Representation {
 const TINY: f64 = 1e-7;
 /// The relative residual beyond which the inverse is computed afresh.
 const ACCURACY: f64 = 1e-13;
-/// How far a price may exceed 1 at what is taken for the optimum.
-const TOLERANCE: f64 = 1e-10;
+/// The accuracy that floats can give.
+pub(crate) const FINEST: f64 = 1e-10;
 
 impl Gauge {
-    /// The gauge without true atoms.
-    pub fn new(dimension: usize) -> Self {
-        let mut gauge = Gauge {
-            dimension,
-            atoms: vec![0.0; dimension * dimension],
-            basis: (0..dimension).collect(),
-            signs: vec![1.0; dimension],
-            inverse: vec![0.0; dimension * dimension],
+    /// The gauge without true atoms, for vectors of so many (complex) coordinates.
+    pub fn new(dimension: usize, complex: bool) -> Self {
+        let size = if complex { 2 * dimension } else { dimension };
+        let unit = |i: usize| (0..size).map(|j| if i == j { TINY } else { 0.0 }).collect();
+        let column = |i| Column {
+            atom: Atom::Tiny,
+            phase: Complex::new(1.0, 0.0),
+            vector: unit(i),
+            sign: 1.0,
         };
-        for i in 0..dimension {
-            gauge.atoms[i * dimension + i] = TINY;
-            gauge.inverse[i * dimension + i] = 1.0 / TINY;
-        }
-        gauge
+        let mut inverse = vec![0.0; size * size];
+        inverse.iter_mut().step_by(size + 1).for_each(|x| *x = 1.0 / TINY);
+        Gauge { size, complex, atoms: Vec::new(), basis: (0..size).map(column).collect(), inverse }
     }
 
     /// Adds an atom.
@@ -70,28 +97,44 @@ impl Gauge {
     /// # Cost
     /// Each pivot takes one product of all atoms with a vector.
     pub fn represent(&mut self, y: &[f64], limits: Limits) -> Representation {
-        let d = self.dimension;
         let mut x = self.solve(y);
-        for _ in 0..100 * d {
+        for _ in 0..100 * self.size {
             self.settle_signs(&x);
             let total: f64 = x.iter().map(|x| x.abs()).sum();
-            let (entering, price) = self.dearest(&self.dual());
-            let lower_bound = total / price.abs().max(1.0);
+            let (atom, price) = self.dearest(&self.dual());
+            let lower_bound = total / price.norm().max(1.0);
             if total <= limits.inside
                 || lower_bound >= limits.outside
-                || price.abs() <= 1.0 + TOLERANCE
-                || !self.pivot(entering, price.signum(), &x)
+                || price.norm() <= 1.0 + limits.accuracy
+                || !self.pivot(atom, price, &x)
             {
                 break;
             }
             x = self.solve(y);
         }
-        let total = x.iter().map(|x| x.abs()).sum();
-        let weights = self.basis.iter().zip(&x).filter(|(k, x)| **k >= d && **x != 0.0);
-        Representation { weights: weights.map(|(k, x)| (k - d, *x)).collect(), total }
+        self.representation(&x)
     }
 
-    /// The weights of the basic atoms for `y`, from a fresh inverse if rounding errors have grown.
+    /// The weights of the true atoms, columns of one atom taken together.
+    fn representation(&self, x: &[f64]) -> Representation {
+        let mut weights: Vec<(Atom, Complex<f64>)> = Vec::new();
+        let mut total = 0.0;
+        let mut used: Vec<(Atom, Complex<f64>)> =
+            self.basis.iter().zip(x).map(|(column, x)| (column.atom, column.phase * *x)).collect();
+        used.sort_by_key(|(atom, _)| *atom);
+        for (atom, weight) in used {
+            match weights.last_mut() {
+                _ if atom == Atom::Tiny => total += weight.norm(),
+                Some((last, sum)) if *last == atom => *sum += weight,
+                _ => weights.push((atom, weight)),
+            }
+        }
+        weights.retain(|(_, weight)| weight.norm() != 0.0);
+        total += weights.iter().map(|(_, weight)| weight.norm()).sum::<f64>();
+        Representation { weights, total }
+    }
+
+    /// The weights of the basic columns for `y`, from a fresh inverse if rounding errors have grown.
     fn solve(&mut self, y: &[f64]) -> Vec<f64> {
         let x = self.times_inverse(y);
         if self.residual(&x, y) <= ACCURACY * norm(y) {
@@ -104,59 +147,73 @@ impl Gauge {
     /// The 1-norm of `y - Σ x_i u_i` over the basis.
     fn residual(&self, x: &[f64], y: &[f64]) -> f64 {
         let mut rest = y.to_vec();
-        for (k, x) in self.basis.iter().zip(x) {
-            rest.iter_mut().zip(self.atom(*k)).for_each(|(r, u)| *r -= x * u);
+        for (column, x) in self.basis.iter().zip(x) {
+            rest.iter_mut().zip(&column.vector).for_each(|(r, u)| *r -= x * u);
         }
         norm(&rest)
     }
 
-    fn atom(&self, k: usize) -> &[f64] {
-        &self.atoms[k * self.dimension..(k + 1) * self.dimension]
-    }
-
     fn times_inverse(&self, y: &[f64]) -> Vec<f64> {
-        self.inverse.chunks_exact(self.dimension).map(|row| dot(row, y)).collect()
+        self.inverse.chunks_exact(self.size).map(|row| dot(row, y)).collect()
     }
 
     /// Takes the signs of the weights, but keeps those of weights that are zero.
     fn settle_signs(&mut self, x: &[f64]) {
         let largest = x.iter().fold(0.0, |a: f64, x| a.max(x.abs()));
-        for (sign, x) in self.signs.iter_mut().zip(x) {
+        for (column, x) in self.basis.iter_mut().zip(x) {
             if x.abs() > 1e-13 * largest {
-                *sign = x.signum();
+                column.sign = x.signum();
             }
         }
     }
 
-    /// The functional that is the sign on each basic atom.
+    /// The functional that is the sign on each basic column.
     fn dual(&self) -> Vec<f64> {
-        let mut dual = vec![0.0; self.dimension];
-        for (row, sign) in self.inverse.chunks_exact(self.dimension).zip(&self.signs) {
-            dual.iter_mut().zip(row).for_each(|(y, r)| *y += sign * r);
+        let mut dual = vec![0.0; self.size];
+        for (row, column) in self.inverse.chunks_exact(self.size).zip(&self.basis) {
+            dual.iter_mut().zip(row).for_each(|(y, r)| *y += column.sign * r);
         }
         dual
     }
 
-    /// The atom on which the functional is largest in modulus, and its value there.
-    fn dearest(&self, dual: &[f64]) -> (usize, f64) {
-        let mut best = (0, 0.0f64);
-        for (k, atom) in self.atoms.chunks_exact(self.dimension).enumerate() {
-            let price = dot(dual, atom);
-            if price.abs() > best.1.abs() {
-                best = (k, price);
+    /// The atom `u` on which the functional `f` is largest in modulus, and `f(u) - i f(iu)`: its
+    /// modulus is the largest `f(e^(iφ) u)`, and its conjugate has the direction of that phase.
+    fn dearest(&self, dual: &[f64]) -> (Atom, Complex<f64>) {
+        let mut best = (Atom::Tiny, Complex::new(0.0, 0.0));
+        let mut largest = 0.0;
+        let mut offer = |atom, price: Complex<f64>| {
+            if price.norm_sqr() > largest {
+                largest = price.norm_sqr();
+                best = (atom, price);
             }
+        };
+        if !self.complex {
+            for (k, atom) in self.atoms.chunks_exact(self.size).enumerate() {
+                offer(Atom::Plain(k), Complex::new(dot(dual, atom), 0.0));
+            }
+            return best;
+        }
+        let (dual_re, dual_im) = dual.split_at(self.size / 2);
+        for (k, atom) in self.atoms.chunks_exact(self.size).enumerate() {
+            let (re, im) = atom.split_at(self.size / 2);
+            let (a, b) = (dot(dual_re, re), dot(dual_im, im));
+            let (c, e) = (dot(dual_re, im), dot(dual_im, re));
+            // f(iu) = dual_im · re - dual_re · im; the conjugate has the other sign of im.
+            offer(Atom::Plain(k), Complex::new(a + b, c - e));
+            offer(Atom::Conjugate(k), Complex::new(a - b, -c - e));
         }
         best
     }
 
-    /// Exchanges a basic atom, by the ratio test, for `sign` times the entering one.
-    fn pivot(&mut self, entering: usize, sign: f64, x: &[f64]) -> bool {
-        let direction: Vec<f64> =
-            self.times_inverse(self.atom(entering)).iter().map(|w| w * sign).collect();
+    /// Exchanges a basic column, by the ratio test, for the dearest phase of the entering atom.
+    fn pivot(&mut self, atom: Atom, price: Complex<f64>, x: &[f64]) -> bool {
+        let phase = price.conj() / price.norm();
+        let vector = self.column(atom, phase);
+        let direction = self.times_inverse(&vector);
         let least_speed = 1e-9 * direction.iter().fold(0.0, |a: f64, w| a.max(w.abs()));
         let mut leaving: Option<(usize, f64, f64)> = None;
         for (i, (x, w)) in x.iter().zip(&direction).enumerate() {
-            let speed = w * self.signs[i];
+            let speed = w * self.basis[i].sign;
             if speed <= least_speed {
                 continue;
             }
@@ -169,32 +226,48 @@ impl Gauge {
             }
         }
         let Some((row, ..)) = leaving else { return false };
-        self.exchange(row, entering, &direction, sign);
+        self.exchange(row, &direction);
+        self.basis[row] = Column { atom, phase, vector, sign: 1.0 };
         true
     }
 
-    /// Replaces the basic atom of a row by `entering`, whose coordinates are `sign · direction`.
-    fn exchange(&mut self, row: usize, entering: usize, direction: &[f64], sign: f64) {
-        let d = self.dimension;
-        let pivot = direction[row] * sign;
+    /// A number, real unless the gauge is complex, times a true atom.
+    pub fn column(&self, atom: Atom, factor: Complex<f64>) -> Vec<f64> {
+        let (k, sign) = match atom {
+            Atom::Plain(k) => (k, 1.0),
+            Atom::Conjugate(k) => (k, -1.0),
+            Atom::Tiny => unreachable!("tiny atoms only leave"),
+        };
+        let atom = &self.atoms[k * self.size..(k + 1) * self.size];
+        if !self.complex {
+            return atom.iter().map(|u| u * factor.re).collect();
+        }
+        let (re, im) = atom.split_at(self.size / 2);
+        let product = |re: &f64, im: &f64| Complex::new(*re, sign * *im) * factor;
+        let parts = || re.iter().zip(im).map(|(re, im)| product(re, im));
+        parts().map(|z| z.re).chain(parts().map(|z| z.im)).collect()
+    }
+
+    /// Replaces the basic column of a row by one whose coordinates are `direction`.
+    fn exchange(&mut self, row: usize, direction: &[f64]) {
+        let d = self.size;
+        let pivot = direction[row];
         let pivot_row: Vec<f64> =
             self.inverse[row * d..(row + 1) * d].iter().map(|r| r / pivot).collect();
         for (i, target) in self.inverse.chunks_exact_mut(d).enumerate() {
             if i == row {
                 target.copy_from_slice(&pivot_row);
             } else {
-                let factor = direction[i] * sign;
+                let factor = direction[i];
                 target.iter_mut().zip(&pivot_row).for_each(|(t, p)| *t -= factor * p);
             }
         }
-        self.basis[row] = entering;
-        self.signs[row] = sign;
     }
 
     /// Computes the inverse afresh, to shed rounding errors.
     fn refactor(&mut self) {
-        let d = self.dimension;
-        let basis = nalgebra::DMatrix::from_fn(d, d, |i, j| self.atom(self.basis[j])[i]);
+        let d = self.size;
+        let basis = nalgebra::DMatrix::from_fn(d, d, |i, j| self.basis[j].vector[i]);
         if let Some(inverse) = basis.try_inverse() {
             self.inverse = inverse.transpose().as_slice().to_vec();
         }
@@ -213,10 +286,10 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
 mod tests {
     use super::*;
 
-    const OPTIMUM: Limits = Limits { inside: 0.0, outside: f64::INFINITY };
+    const OPTIMUM: Limits = Limits { inside: 0.0, outside: f64::INFINITY, accuracy: FINEST };
 
     fn square() -> Gauge {
-        let mut gauge = Gauge::new(2);
+        let mut gauge = Gauge::new(2, false);
         gauge.push(&[1.0, 1.0]);
         gauge.push(&[1.0, -1.0]);
         gauge
@@ -229,13 +302,13 @@ mod tests {
             let found = gauge.represent(&y, OPTIMUM);
             let norm = f64::max(y[0].abs(), y[1].abs());
             assert!((found.total - norm).abs() < 1e-9, "{y:?}: {found:?}");
-            assert!(found.weights.iter().all(|(k, _)| *k < 2));
+            assert!(found.weights.iter().all(|(_, weight)| weight.im == 0.0));
         }
     }
 
     #[test]
     fn outside_the_span_the_price_is_high() {
-        let mut gauge = Gauge::new(2);
+        let mut gauge = Gauge::new(2, false);
         gauge.push(&[1.0, 1.0]);
         assert!(gauge.represent(&[1.0, -1.0], OPTIMUM).total > 1e6);
         assert!((gauge.represent(&[2.0, 2.0], OPTIMUM).total - 2.0).abs() < 1e-9);
@@ -243,8 +316,28 @@ mod tests {
 
     #[test]
     fn limits_stop_the_search_on_the_right_side() {
-        let limits = Limits { inside: 0.99, outside: 1.01 };
+        let limits = Limits { inside: 0.99, outside: 1.01, accuracy: FINEST };
         assert!(square().represent(&[0.5, 0.2], limits).total <= 0.99);
         assert!(square().represent(&[1.5, 0.2], limits).total > 1.01);
+    }
+
+    /// The vectors `(1, i)` and `(1, -i)` are orthogonal, so that the gauge of their span is the sum
+    /// of the moduli of the coordinates.
+    #[test]
+    fn a_complex_atom_and_its_conjugate() {
+        let mut gauge = Gauge::new(2, true);
+        gauge.push(&[1.0, 0.0, 0.0, 1.0]);
+        for (y, expected) in [
+            ([1.0, 0.0, 0.0, 1.0], 1.0),
+            // i (1, i) = (i, -1), and half the sum is real.
+            ([0.0, -1.0, 1.0, 0.0], 1.0),
+            ([1.0, 0.0, 0.0, 0.0], 1.0),
+            ([0.6, 0.8, 0.0, 0.0], 1.0),
+            ([1.0, 0.0, 0.0, 0.5], 1.0),
+            ([3.0, 0.0, 4.0, 0.0], 5.0),
+        ] {
+            let found = gauge.represent(&y, OPTIMUM);
+            assert!((found.total - expected).abs() < 1e-6, "{y:?}: {found:?}");
+        }
     }
 }

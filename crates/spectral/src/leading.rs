@@ -1,7 +1,8 @@
 //! Which words grow fastest, in floats.
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{Complex, DMatrix, DVector};
 
+use crate::body::apply;
 use crate::word::Word;
 
 /// The spectral radius of the product along a word, per letter.
@@ -23,10 +24,7 @@ fn spectral_radius(matrix: &DMatrix<f64>) -> f64 {
     if matrix.iter().any(|x| !x.is_finite()) {
         return f64::INFINITY;
     }
-    let Some(schur) = nalgebra::Schur::try_new(matrix.clone(), 1e-14, 10_000) else {
-        return 0.0;
-    };
-    schur.complex_eigenvalues().iter().map(|z| z.norm()).fold(0.0, f64::max)
+    eigenvalues(matrix).first().map_or(0.0, |z| z.norm())
 }
 
 /// The word that grows fastest, shorter ones preferred, and its growth per letter.
@@ -43,47 +41,83 @@ pub(crate) fn fastest<'a>(matrices: &[DMatrix<f64>], words: &'a [Word]) -> (&'a 
 
 /// The vector, of maximum norm 1, that the matrix changes least when it is multiplied by `sign`,
 /// and whether no other does as well.
-pub(crate) fn fixed_vector(matrix: &DMatrix<f64>, sign: i32) -> Option<DVector<f64>> {
+pub(crate) fn fixed_vector(matrix: &DMatrix<f64>, sign: i32) -> Option<Vec<f64>> {
     let d = matrix.nrows();
     let svd =
         (DMatrix::identity(d, d) * f64::from(sign) - matrix).try_svd(false, true, 1e-15, 10_000)?;
     let rows = svd.v_t?;
     let (least, _) = svd.singular_values.argmin();
     let doubtful = svd.singular_values.iter().filter(|s| **s < 1e-9).count() > 1;
-    if doubtful {
-        return None;
-    }
-    let v = rows.row(least).transpose();
-    let largest = v.amax();
-    Some(v / largest)
+    (!doubtful).then(|| of_norm_one(rows.row(least).iter().copied().collect()))
 }
 
-/// Real vectors of maximum norm 1 that span the eigenspaces of a matrix for eigenvalues at least as
-/// large as a bound, the largest first: one for a real eigenvalue, two for a complex pair.
-pub(crate) fn large_eigenvectors(matrix: &DMatrix<f64>, bound: f64) -> Vec<DVector<f64>> {
+/// The eigenvalues, the largest first; of a complex pair the one in the upper half plane.
+pub(crate) fn eigenvalues(matrix: &DMatrix<f64>) -> Vec<Complex<f64>> {
     let Some(schur) = nalgebra::Schur::try_new(matrix.clone(), 1e-14, 10_000) else {
         return Vec::new();
     };
-    let mut values: Vec<_> = schur.complex_eigenvalues().iter().copied().collect();
-    values.retain(|z| z.norm() >= bound && z.im >= 0.0);
+    let mut values: Vec<Complex<f64>> = schur.complex_eigenvalues().iter().copied().collect();
+    values.retain(|z| z.im >= 0.0);
     values.sort_by(|a, b| b.norm().total_cmp(&a.norm()));
-    values.iter().flat_map(|z| eigenspace(matrix, z.re, z.im)).collect()
+    values
 }
 
-/// Real vectors that span the eigenspaces for `re ± i im`.
-fn eigenspace(matrix: &DMatrix<f64>, re: f64, im: f64) -> Vec<DVector<f64>> {
+/// Whether an eigenvalue is one of a complex pair, as far as floats can tell.
+pub(crate) fn is_complex(eigenvalue: &Complex<f64>) -> bool {
+    eigenvalue.im > 1e-9
+}
+
+/// An eigenvector of maximum norm 1: `d` real coordinates, or for a complex eigenvalue the real and
+/// then the imaginary parts.
+pub(crate) fn eigenvector(matrix: &DMatrix<f64>, eigenvalue: Complex<f64>) -> Option<Vec<f64>> {
     let d = matrix.nrows();
     let identity = DMatrix::identity(d, d);
-    // The kernel of (M - z)(M - z̄), or of M - z.
-    let (shifted, rank) = if im > 1e-9 {
-        (matrix * matrix - matrix * (2.0 * re) + identity * (re * re + im * im), 2)
-    } else {
-        (matrix - identity * re, 1)
+    let (re, im) = (eigenvalue.re, eigenvalue.im);
+    let kernel = |matrix: DMatrix<f64>| -> Option<DVector<f64>> {
+        let svd = matrix.try_svd(false, true, 1e-15, 10_000)?;
+        let (least, _) = svd.singular_values.argmin();
+        Some(svd.v_t?.row(least).transpose())
     };
-    let Some(svd) = shifted.try_svd(false, true, 1e-15, 10_000) else { return Vec::new() };
-    let Some(rows) = svd.v_t else { return Vec::new() };
-    let mut order: Vec<usize> = (0..d).collect();
-    order.sort_by(|&a, &b| svd.singular_values[a].total_cmp(&svd.singular_values[b]));
-    let least = order.iter().take(rank);
-    least.map(|&i| rows.row(i).transpose()).map(|v| &v / v.amax()).collect()
+    if !is_complex(&eigenvalue) {
+        let v = kernel(matrix - identity * re)?;
+        return Some(of_norm_one(v.as_slice().to_vec()));
+    }
+    // If (M - z)(M - z̄) r = 0, then (M - z̄) r is an eigenvector for z.
+    let pair = matrix * matrix - matrix * (2.0 * re) + identity * (re * re + im * im);
+    let r = kernel(pair)?;
+    let real = matrix * &r - &r * re;
+    Some(of_norm_one(real.iter().copied().chain(r.iter().map(|x| x * im)).collect()))
+}
+
+fn of_norm_one(v: Vec<f64>) -> Vec<f64> {
+    let largest = v.iter().fold(0.0, |a: f64, x| a.max(x.abs()));
+    v.iter().map(|x| x / largest).collect()
+}
+
+/// The eigenvalue and the eigenvector of another matrix nearest to those of the given eigenvector,
+/// which keeps its largest coordinate.
+pub(crate) fn followed(
+    matrix: &DMatrix<f64>,
+    vector: &[f64],
+    other: &DMatrix<f64>,
+) -> Option<(Complex<f64>, Vec<f64>)> {
+    let d = matrix.nrows();
+    let coordinate = |v: &[f64], i: usize| Complex::new(v[i], v.get(d + i).copied().unwrap_or(0.0));
+    let pivot = (0..d)
+        .max_by(|&i, &j| coordinate(vector, i).norm().total_cmp(&coordinate(vector, j).norm()))?;
+    let image = apply(matrix, vector);
+    let here = coordinate(vector, pivot);
+    let eigenvalue = coordinate(&image, pivot) / here;
+    // Eigenvectors are those of eigenvalues in the upper half plane.
+    let eigenvalue = Complex::new(eigenvalue.re, eigenvalue.im.abs());
+    let distance = |z: &Complex<f64>| (z - eigenvalue).norm();
+    let near = eigenvalues(other).into_iter().min_by(|a, b| distance(a).total_cmp(&distance(b)))?;
+    if is_complex(&near) && vector.len() == d {
+        return None;
+    }
+    let found = eigenvector(other, near)?;
+    let factor = here / coordinate(&found, pivot);
+    let turned: Vec<Complex<f64>> = (0..d).map(|i| coordinate(&found, i) * factor).collect();
+    let parts = turned.iter().map(|z| z.re).chain(turned.iter().map(|z| z.im));
+    Some((near, parts.take(vector.len()).collect()))
 }

@@ -8,7 +8,8 @@
 //! | `leading` | which words grow fastest, in floats |
 //! | `gauge` | the norm whose ball is a polytope: a linear program, in floats |
 //! | `body` | growing a polytope that all matrices map into itself, in floats |
-//! | `rounding` | from floats to the integers of a certificate |
+//! | `rounding`, `writing` | from floats to the integers of a certificate |
+//! | `seed` | what a polytope begins with |
 //! | `search` | polytopes on closed intervals and up to exact ends |
 //! | `division` | [`divide`]: the line, divided at radius one; [`decide`] at a single value |
 //! | `radius` | [`radius()`](radius()): the radius of one set of matrices |
@@ -28,7 +29,9 @@ mod rough;
 mod rounding;
 mod schur;
 mod search;
+mod seed;
 mod word;
+mod writing;
 
 pub use division::{Constant, Division, Options, decide, divide};
 pub use pencil::Pencil;

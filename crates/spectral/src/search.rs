@@ -5,31 +5,30 @@ use refinable_algebra::{Integer, Polynomial, Rational};
 use refinable_certificate::{self as certificate, End, Number, Polytope, Root};
 use refinable_reals::{RealAlgebraic, real_roots_between};
 
-use crate::body::{Body, Effort, Ends, Start};
+use crate::body::{Body, Closing, Effort, Ends, Start};
 use crate::float::{approximate, approximate_root, dyadic, short_dyadic};
-use crate::leading::{fastest, fixed_vector, growth, large_eigenvectors, product};
+use crate::leading::{fastest, growth};
 use crate::pencil::Pencil;
 use crate::rounding::{Precision, Span, polytope};
+use crate::seed::{Seed, Sowing};
 use crate::word::Word;
 
 /// The amounts, in floats, by which images must be inside.
 const MARGINS: [f64; 2] = [1e-5, 1e-7];
-/// The largest number of vertices of a polytope, mirror images not counted.
-const MOST_VERTICES: usize = 1500;
+/// The same where growth is less than one.
+const MARGINS_INSIDE: [f64; 3] = [1e-2, 1e-3, 1e-5];
+/// The largest numbers of vertices of a polytope, mirror images not counted, tried in turn.
+const MOST_VERTICES: [usize; 2] = [150, 750];
 /// The same for a polytope on a closed interval, of which there may be many.
-const CLOSED_VERTICES: usize = 600;
+const CLOSED_VERTICES: [usize; 2] = [60, 240];
 /// How far from an end towards the goal one polytope may reach: first this,
 const FIRST_REACH: f64 = 0.25;
 /// then if possible farther,
 const FARTHER: [f64; 2] = [1.0, 0.6];
-/// or else less far.
-const NEARER: [f64; 3] = [0.06, 0.01, 1e-3];
-/// Factors between the lengths of two leading eigenvectors.
-const BALANCE: [f64; 9] = [1.0, 0.5, 2.0, 0.25, 4.0, 0.125, 8.0, 1.0 / 32.0, 32.0];
-/// Eigenvectors for eigenvalues above this, against the largest, are among the first vertices.
-const COMPANION: f64 = 0.9;
-/// How many leading words are told apart.
-const MOST_ORBITS: usize = 4;
+/// and how far if it moves.
+const MOVING: [f64; 7] = [0.25, 0.1, 0.04, 0.01, 1e-3, 1e-4, 1e-5];
+/// Growth below which a polytope that does not move is tried over a long way.
+const STEADY: f64 = 0.98;
 /// Directions in which a polytope is thinner than this against its width get additional vertices.
 const THIN: f64 = 1e-4;
 /// The lengths of these.
@@ -85,49 +84,77 @@ impl Search<'_> {
         crossings: &[Crossing],
         goal: &Rational,
     ) -> Option<Polytope> {
+        let end = &end.simplified();
         let x1 = approximate_root(end);
         let at_end = self.pencil.rounded_at(x1);
-        let orbits = leading_orbits(&at_end, end, crossings)?;
-        let distance = approximate(goal) - x1;
-        for starts in selections(&orbits) {
-            for margin in MARGINS {
-                // What the end alone needs tells what to spend on both ends.
-                let alone = Ends { inner: &[], end: &at_end };
-                let effort = Effort { margin, vertices: MOST_VERTICES };
-                let Some(body) = self.full_body(&alone, starts.clone(), effort) else { break };
-                let effort = Effort {
-                    margin,
-                    vertices: (12 * body.vertices.len() + 200).min(MOST_VERTICES),
-                };
-                let reached = |reach: f64| {
-                    let inner = match reach {
-                        1.0 => goal.clone(),
-                        _ => short_dyadic(x1 + distance * reach, (distance * reach).abs() / 8.0),
-                    };
-                    let at_inner = self.pencil.rounded_at(approximate(&inner));
-                    let ends = Ends { inner: &at_inner, end: &at_end };
-                    if self.too_far_apart(&ends) {
-                        return None;
-                    }
-                    let body = self.full_body(&ends, starts.clone(), effort)?;
-                    self.write(&body, &inner, certificate_end(end), &ends, &EXACT)
-                };
-                if self.kind == certificate::Pencil::Scale {
-                    // At scale zero all images are zero: one polytope does for all scales.
-                    match reached(1.0) {
-                        Some(found) => return Some(found),
-                        None => continue,
-                    }
-                }
-                if let Some(first) = reached(FIRST_REACH) {
-                    return FARTHER.iter().find_map(|&reach| reached(reach)).or(Some(first));
-                }
-                if let Some(found) = NEARER.iter().find_map(|&reach| reached(reach)) {
-                    return Some(found);
+        let place = Place { end: certificate_end(end), x1, at_end: &at_end, goal };
+        let seeds = self.sowing(&at_end).up_to(end, crossings);
+        // A little effort for all of them first.
+        let mut tries = tries(&seeds, &MARGINS, &MOST_VERTICES);
+        tries.find_map(|(seed, effort)| self.from_seed(&place, seed, effort))
+    }
+
+    /// A polytope that proves contraction from `from`, inclusive, some way towards `goal`.
+    pub fn step(&self, from: &Rational, goal: &Rational) -> Closed {
+        let x1 = approximate(from);
+        let at_end = self.pencil.rounded_at(x1);
+        let (word, growth) = fastest(&at_end, self.words);
+        if growth >= 1.0 {
+            return Closed::Faster(word.clone());
+        }
+        let end = End::Rational(Number(from.clone()));
+        let place = Place { end, x1, at_end: &at_end, goal };
+        if growth < STEADY {
+            for reach in [1.0, FIRST_REACH] {
+                let far = self.closed(from, &place.inner(reach));
+                if !matches!(far, Closed::Nothing) {
+                    return far;
                 }
             }
         }
-        None
+        let found = self
+            .inside(&at_end, word, growth)
+            .into_iter()
+            .find_map(|(seed, effort)| self.from_seed(&place, &seed, effort));
+        found.map_or(Closed::Nothing, |found| Closed::Proved(Box::new(found)))
+    }
+
+    /// A polytope from a place as far towards its goal as it will go: one that holds still, if it goes
+    /// far, or else one that moves.
+    fn from_seed(&self, place: &Place, seed: &Seed, effort: Effort) -> Option<Polytope> {
+        // What the end alone needs tells what to spend on both ends.
+        let alone = Ends { inner: &[], end: place.at_end };
+        let body = self.full_body(&alone, seed, effort)?;
+        let vertices = (3 * body.vertices.len() + 100).min(effort.vertices);
+        let effort = Effort { vertices, ..effort };
+        if self.kind == certificate::Pencil::Scale {
+            // At scale zero all images are zero: one polytope does for all scales.
+            return self.holding(place, 1.0, seed, effort);
+        }
+        if let Some(first) = self.holding(place, FIRST_REACH, seed, effort) {
+            let farther = |&reach: &f64| self.holding(place, reach, seed, effort);
+            return FARTHER.iter().find_map(farther).or(Some(first));
+        }
+        // A polytope that moves is sure to do if it need not go far.
+        MOVING.iter().find_map(|&reach| self.moving(place, reach, &body))
+    }
+
+    fn holding(&self, place: &Place, reach: f64, seed: &Seed, effort: Effort) -> Option<Polytope> {
+        let inner = place.inner(reach);
+        let at_inner = self.pencil.rounded_at(approximate(&inner));
+        let ends = Ends { inner: &at_inner, end: place.at_end };
+        if self.too_far_apart(&ends) {
+            return None;
+        }
+        let body = self.full_body(&ends, seed, effort)?;
+        self.write(&body, None, &inner, place.end.clone(), &ends)
+    }
+
+    fn moving(&self, place: &Place, reach: f64, body: &Body) -> Option<Polytope> {
+        let inner = place.inner(reach);
+        let at_inner = self.pencil.rounded_at(approximate(&inner));
+        let ends = Ends { inner: &at_inner, end: place.at_end };
+        self.write(body, Some(&body.carried(&ends)?), &inner, place.end.clone(), &ends)
     }
 
     /// A polytope that proves contraction on the closed interval `[a, b]`.
@@ -149,17 +176,33 @@ impl Search<'_> {
         if self.too_far_apart(&ends) {
             return Closed::Nothing;
         }
-        let matrix = product(at_fast, word);
-        let bound = COMPANION * growth.powi(word.letters().len() as i32);
-        let starts = large_eigenvectors(&matrix, bound).into_iter().map(Start::Free);
-        let margin = (0.1 * (1.0 - growth)).clamp(1e-11, 1e-2);
-        let effort = Effort { margin, vertices: CLOSED_VERTICES };
-        let Some(body) = self.full_body(&ends, starts.collect(), effort) else {
-            return Closed::Nothing;
-        };
         let end = End::Rational(Number(fast.clone()));
-        let found = self.write(&body, slow, end, &ends, &CLOSED);
+        let room = room(growth);
+        let mut seeds = self.sowing(at_fast).inside(word, growth, room);
+        // The leading vector alone, and with company only where there is no shorter interval.
+        seeds.reverse();
+        if a != b && self.kind == certificate::Pencil::Parameter {
+            seeds.truncate(1);
+        }
+        let found = tries(&seeds, &[room], &CLOSED_VERTICES).find_map(|(seed, effort)| {
+            let body = self.full_body(&ends, seed, effort)?;
+            self.write(&body, None, slow, end.clone(), &ends)
+        });
         found.map_or(Closed::Nothing, |found| Closed::Proved(Box::new(found)))
+    }
+
+    fn sowing<'a>(&'a self, matrices: &'a [DMatrix<f64>]) -> Sowing<'a> {
+        Sowing { mirrored: self.pencil.is_mirrored(), words: self.words, matrices }
+    }
+
+    /// Seeds where growth is less than one, each with all margins that are worth trying.
+    fn inside(&self, matrices: &[DMatrix<f64>], word: &Word, growth: f64) -> Vec<(Seed, Effort)> {
+        let room = room(growth);
+        let mut margins: Vec<f64> = MARGINS_INSIDE.iter().map(|m| m.max(room)).collect();
+        margins.push(room);
+        margins.dedup();
+        let seeds = self.sowing(matrices).inside(word, growth, room);
+        tries(&seeds, &margins, &CLOSED_VERTICES).map(|(seed, e)| (seed.clone(), e)).collect()
     }
 
     /// Whether some product of matrices from both ends grows: then no polytope serves both.
@@ -172,67 +215,70 @@ impl Search<'_> {
     fn write(
         &self,
         body: &Body,
+        moved: Option<&Body>,
         inner: &Rational,
         end: End,
         ends: &Ends,
-        precisions: &[Precision],
     ) -> Option<Polytope> {
+        let precisions =
+            if matches!(body.shape.closing, Closing::Inside(_)) { &CLOSED[..] } else { &EXACT };
         let span = Span { pencil: self.kind, inner, end, ends: *ends };
         precisions
             .iter()
-            .filter_map(|&precision| polytope(body, &span, precision))
+            .filter_map(|&precision| polytope(body, moved, &span, precision))
             .find(|found| (self.accept)(found))
     }
 
     /// A body that is not thin in any direction.
-    fn full_body(&self, ends: &Ends, starts: Vec<Start>, effort: Effort) -> Option<Body> {
-        let mirrored = self.pencil.is_mirrored();
-        let body = Body::grow(ends, mirrored, &starts, effort)?;
+    fn full_body(&self, ends: &Ends, seed: &Seed, effort: Effort) -> Option<Body> {
+        let Seed { shape, starts } = seed;
+        let body = Body::grow(ends, *shape, starts, effort)?;
         let thin = body.thin_directions(THIN);
         if thin.is_empty() {
             return Some(body);
         }
         ADDITIONS.iter().find_map(|&length| {
-            let additions = thin.iter().map(|v| Start::Free(v * length));
+            let additions = thin.iter().map(|v| Start::Free(v.clone()).stretched(length));
             let starts: Vec<Start> = starts.iter().cloned().chain(additions).collect();
-            Body::grow(ends, mirrored, &starts, effort)
+            Body::grow(ends, *shape, &starts, effort)
         })
     }
 }
 
-/// The eigenvectors of the words that reach one at the end; `None` if there are none or they are
-/// not unique.
-fn leading_orbits(
-    matrices: &[DMatrix<f64>],
-    end: &RealAlgebraic,
-    crossings: &[Crossing],
-) -> Option<Vec<Start>> {
-    let leading = crossings.iter().filter(|c| end.sign_of(&c.determinant).is_eq());
-    let orbits: Option<Vec<Start>> = leading
-        .map(|c| {
-            let v = fixed_vector(&product(matrices, &c.word), c.sign)?;
-            Some(Start::Orbit(c.word.clone(), c.sign, v))
-        })
-        .collect();
-    let mut orbits = orbits.filter(|orbits| !orbits.is_empty())?;
-    // Where very many words reach one together there is no telling them apart.
-    orbits.truncate(MOST_ORBITS);
-    Some(orbits)
+/// By how much an orbit that grows by less than one is to be inside.
+fn room(growth: f64) -> f64 {
+    (0.1 * (1.0 - growth)).clamp(1e-11, 1e-2)
 }
 
-/// Which orbits to begin with: one alone, if the others turn out to be inside; two, with different
-/// lengths against each other; all of them.
-fn selections(orbits: &[Start]) -> Vec<Vec<Start>> {
-    let mut selections: Vec<Vec<Start>> = orbits.iter().map(|o| vec![o.clone()]).collect();
-    for (i, first) in orbits.iter().enumerate() {
-        for second in &orbits[i + 1..] {
-            selections.extend(BALANCE.iter().map(|&f| vec![first.clone(), second.stretched(f)]));
+/// All seeds with all margins, with a little effort first.
+fn tries<'a>(
+    seeds: &'a [Seed],
+    margins: &'a [f64],
+    vertices: &'a [usize],
+) -> impl Iterator<Item = (&'a Seed, Effort)> {
+    vertices.iter().flat_map(move |&vertices| {
+        let efforts = move || margins.iter().map(move |&margin| Effort { margin, vertices });
+        seeds.iter().flat_map(move |seed| efforts().map(move |effort| (seed, effort)))
+    })
+}
+
+/// An end, and which way the interval goes.
+struct Place<'a> {
+    end: End,
+    x1: f64,
+    at_end: &'a [DMatrix<f64>],
+    goal: &'a Rational,
+}
+
+impl Place<'_> {
+    /// A short number about this part of the way to the goal.
+    fn inner(&self, reach: f64) -> Rational {
+        if reach == 1.0 {
+            return self.goal.clone();
         }
+        let distance = (approximate(self.goal) - self.x1) * reach;
+        short_dyadic(self.x1 + distance, distance.abs() / 8.0)
     }
-    if orbits.len() > 2 {
-        selections.push(orbits.to_vec());
-    }
-    selections
 }
 
 /// The number as a certificate has it, with an enclosure narrow enough for most purposes.
