@@ -11,6 +11,7 @@ use std::ops::Range;
 
 use nalgebra::{DMatrix, DVector};
 
+use crate::drift::drift;
 use crate::gauge::{FINEST, Gauge, Limits};
 use crate::leading::{followed, product};
 use crate::word::Word;
@@ -216,6 +217,10 @@ impl Body {
     /// The polytope with the same vertices for the matrices at the inner end, eigenvectors for
     /// eigenvectors and images for images.
     pub fn carried(&self, ends: &Ends) -> Option<Body> {
+        if self.shape.closing == Closing::Vertices {
+            let moved = |(v, h): (&Vec<f64>, Vec<f64>)| v.iter().zip(h).map(|(v, h)| v + h).collect();
+            return Some(self.with_vertices(self.vertices.iter().zip(drift(self, ends)?).map(moved).collect()));
+        }
         let mut moved = self.with_vertices(Vec::new());
         let mut growth = 1.0;
         for (vertex, origin) in self.vertices.iter().zip(&self.origins) {
@@ -356,6 +361,12 @@ impl Body {
         gauge
     }
 
+    /// The vertices, each with its mirror image after it if there are any.
+    pub fn atoms(&self) -> Vec<Vec<f64>> {
+        let mirror = |v: &Vec<f64>| self.shape.mirrored.then(|| mirrored(self.dimension, v));
+        self.vertices.iter().flat_map(|v| [v.clone()].into_iter().chain(mirror(v))).collect()
+    }
+
     fn push_with_mirror(&self, gauge: &mut Gauge, vertex: &[f64]) {
         gauge.push(vertex);
         if self.shape.mirrored {
@@ -408,7 +419,7 @@ pub(crate) fn padded(v: &[f64], size: usize) -> Vec<f64> {
     v.iter().copied().chain(std::iter::repeat(0.0)).take(size).collect()
 }
 
-fn scaled(v: &[f64], factor: f64) -> Vec<f64> {
+pub(crate) fn scaled(v: &[f64], factor: f64) -> Vec<f64> {
     v.iter().map(|x| x * factor).collect()
 }
 

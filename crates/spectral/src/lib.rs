@@ -20,6 +20,7 @@
 
 mod body;
 mod division;
+mod drift;
 mod float;
 mod gauge;
 mod leading;

@@ -120,8 +120,9 @@ impl<'a> Writer<'a> {
         // What is left of B(x_1) u' + B(x_0) u gives the middle of the way.
         let crossed: Vec<f64> =
             apply(at_end, &u_inner).iter().zip(apply(at_inner, u)).map(|(a, b)| a + b).collect();
+        let free = self.end.body.shape.closing == Closing::Vertices && met.is_some();
         let pair = |writer: &mut Self, end: Written| {
-            let inner = writer.followed(&end, &inner_image)?;
+            let inner = if free { writer.inside_moved(&inner_image)? } else { writer.followed(&end, &inner_image)? };
             let rest = writer.rest(&inner, &end, &crossed)?;
             Some(Images { inner, end, rest })
         };
@@ -143,6 +144,13 @@ impl<'a> Writer<'a> {
         let limits = Limits { inside: ROOMY, outside: 1.0, accuracy };
         let found = self.end.gauge.represent(y, limits);
         let written = self.written(&self.end, &found.weights, y);
+        self.fits(&written).then_some(written)
+    }
+
+    fn inside_moved(&mut self, y: &[f64]) -> Option<Written> {
+        let limits = Limits { inside: 0.0, outside: 1.0, accuracy: FINEST };
+        let found = self.inner.as_mut()?.gauge.represent(y, limits);
+        let written = self.written(self.inner.as_ref()?, &found.weights, y);
         self.fits(&written).then_some(written)
     }
 
