@@ -11,7 +11,6 @@ use std::ops::Range;
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::drift::drift;
 use crate::gauge::{FINEST, Gauge, Limits};
 use crate::leading::{followed, product};
 use crate::word::Word;
@@ -87,6 +86,11 @@ pub(crate) struct Orbit {
 const JUST_INSIDE: f64 = 1e-8;
 /// How many binary places numbers have for which floats are exact.
 const SHORT: f64 = (1 << 24) as f64;
+
+/// By how much images are to be inside where a body unfolds, against the way to the goal.
+const DEPTH: f64 = 0.01;
+/// The largest number of vertices then.
+const MOST_UNFOLDED: usize = 200;
 
 #[derive(Clone, Copy, PartialEq)]
 enum Side {
@@ -214,13 +218,18 @@ impl Body {
         self.origins.push(origin);
     }
 
+    /// The polytope at both ends, the end first, if it may move; `reach` is the part of the way to the
+    /// goal between them.
+    pub fn moving(&self, ends: &Ends, reach: f64) -> Option<(Body, Body)> {
+        match self.shape.closing {
+            Closing::Vertices => self.unfolded(ends, DEPTH * reach),
+            _ => Some((self.clone(), self.carried(ends)?)),
+        }
+    }
+
     /// The polytope with the same vertices for the matrices at the inner end, eigenvectors for
     /// eigenvectors and images for images.
-    pub fn carried(&self, ends: &Ends) -> Option<Body> {
-        if self.shape.closing == Closing::Vertices {
-            let moved = |(v, h): (&Vec<f64>, Vec<f64>)| v.iter().zip(h).map(|(v, h)| v + h).collect();
-            return Some(self.with_vertices(self.vertices.iter().zip(drift(self, ends)?).map(moved).collect()));
-        }
+    fn carried(&self, ends: &Ends) -> Option<Body> {
         let mut moved = self.with_vertices(Vec::new());
         let mut growth = 1.0;
         for (vertex, origin) in self.vertices.iter().zip(&self.origins) {
@@ -243,6 +252,39 @@ impl Body {
             moved.vertices.push(next);
         }
         Some(moved)
+    }
+
+    /// The polytope at both ends, the end first, where vertices are mapped to vertices at the end: those
+    /// images that are not inside at the inner end become vertices of their own there. At the end they
+    /// are vertices already, so that several vertices come from one.
+    ///
+    /// `None` if there are too many. Close to the end there are not if every cycle of vertices shrinks.
+    fn unfolded(&self, ends: &Ends, margin: f64) -> Option<(Body, Body)> {
+        let limits = Limits { inside: 1.0 - margin, outside: 1.0, accuracy: FINEST };
+        let (mut folded, mut moved) = (self.clone(), self.clone());
+        let mut gauge = moved.gauge();
+        let mut vertex = 0;
+        while vertex < moved.vertices.len() {
+            for letter in 0..ends.end.len() {
+                let image = apply(&ends.end[letter], &folded.vertices[vertex]);
+                if folded.twin(&image).is_none() {
+                    continue;
+                }
+                let apart = apply(&ends.inner[letter], &moved.vertices[vertex]);
+                if gauge.represent(&apart, limits).total > limits.inside {
+                    let factor = 1.0 + 2.0 * margin;
+                    let apart = scaled(&apart, factor);
+                    moved.push_with_mirror(&mut gauge, &apart);
+                    moved.push(apart, Origin::Image { parent: vertex, letter, factor });
+                    folded.push(image, Origin::Image { parent: vertex, letter, factor: 1.0 });
+                    if moved.vertices.len() > MOST_UNFOLDED {
+                        return None;
+                    }
+                }
+            }
+            vertex += 1;
+        }
+        Some((folded, moved))
     }
 
     /// The images that have to be inside, and by how much.
@@ -361,12 +403,6 @@ impl Body {
         gauge
     }
 
-    /// The vertices, each with its mirror image after it if there are any.
-    pub fn atoms(&self) -> Vec<Vec<f64>> {
-        let mirror = |v: &Vec<f64>| self.shape.mirrored.then(|| mirrored(self.dimension, v));
-        self.vertices.iter().flat_map(|v| [v.clone()].into_iter().chain(mirror(v))).collect()
-    }
-
     fn push_with_mirror(&self, gauge: &mut Gauge, vertex: &[f64]) {
         gauge.push(vertex);
         if self.shape.mirrored {
@@ -419,7 +455,7 @@ pub(crate) fn padded(v: &[f64], size: usize) -> Vec<f64> {
     v.iter().copied().chain(std::iter::repeat(0.0)).take(size).collect()
 }
 
-pub(crate) fn scaled(v: &[f64], factor: f64) -> Vec<f64> {
+fn scaled(v: &[f64], factor: f64) -> Vec<f64> {
     v.iter().map(|x| x * factor).collect()
 }
 

@@ -20,7 +20,6 @@
 
 mod body;
 mod division;
-mod drift;
 mod float;
 mod gauge;
 mod leading;

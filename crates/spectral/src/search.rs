@@ -154,7 +154,8 @@ impl Search<'_> {
         let inner = place.inner(reach);
         let at_inner = self.pencil.rounded_at(approximate(&inner));
         let ends = Ends { inner: &at_inner, end: place.at_end };
-        self.write(body, Some(&body.carried(&ends)?), &inner, place.end.clone(), &ends)
+        let (body, moved) = body.moving(&ends, reach)?;
+        self.write(&body, Some(&moved), &inner, place.end.clone(), &ends)
     }
 
     /// A polytope that proves contraction on the closed interval `[a, b]`.

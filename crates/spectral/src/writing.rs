@@ -120,13 +120,19 @@ impl<'a> Writer<'a> {
         // What is left of B(x_1) u' + B(x_0) u gives the middle of the way.
         let crossed: Vec<f64> =
             apply(at_end, &u_inner).iter().zip(apply(at_inner, u)).map(|(a, b)| a + b).collect();
-        let free = self.end.body.shape.closing == Closing::Vertices && met.is_some();
         let pair = |writer: &mut Self, end: Written| {
-            let inner = if free { writer.inside_moved(&inner_image)? } else { writer.followed(&end, &inner_image)? };
+            let inner = writer.followed(&end, &inner_image)?;
             let rest = writer.rest(&inner, &end, &crossed)?;
             Some(Images { inner, end, rest })
         };
         match met {
+            // The vertex that is met may be several at the inner end.
+            Some(_) if self.end.body.shape.closing == Closing::Vertices => {
+                let inner = self.inside_moved(&inner_image)?;
+                let end = self.folded(&inner, &image)?;
+                let rest = self.rest(&inner, &end, &crossed)?;
+                Some(Images { inner, end, rest })
+            }
             Some(met) => pair(self, met),
             None => ACCURACIES.iter().find_map(|&accuracy| {
                 let end = self.inside_by(&image, accuracy)?;
@@ -147,11 +153,34 @@ impl<'a> Writer<'a> {
         self.fits(&written).then_some(written)
     }
 
+    /// An image at the inner end, by whatever vertices.
     fn inside_moved(&mut self, y: &[f64]) -> Option<Written> {
         let limits = Limits { inside: 0.0, outside: 1.0, accuracy: FINEST };
-        let found = self.inner.as_mut()?.gauge.represent(y, limits);
-        let written = self.written(self.inner.as_ref()?, &found.weights, y);
-        self.fits(&written).then_some(written)
+        let side = self.inner.as_mut()?;
+        let weights = side.gauge.represent(y, limits).weights;
+        Some(self.written(self.inner.as_ref()?, &weights, y)).filter(|written| self.fits(written))
+    }
+
+    /// An image at the end that is a vertex, by all vertices that are the same there, in the proportions
+    /// that their weights have at the inner end.
+    fn folded(&self, inner: &Written, image: &[f64]) -> Option<Written> {
+        let is_image =
+            |atom: Atom, sign| self.end.gauge.column(atom, Complex::new(sign, 0.0)) == image;
+        let twins = inner
+            .weights
+            .iter()
+            .filter(|(atom, weight)| is_image(*atom, weight.re.signum() as f64));
+        let twins: Vec<(Atom, i64)> = twins.map(|(atom, weight)| (*atom, weight.re)).collect();
+        let sum: i64 = twins.iter().map(|(_, weight)| weight.abs()).sum();
+        let one = 2f64.powi(self.weight_bits as i32);
+        let share = |weight: i64| (weight as f64 / sum as f64 * one) as i64;
+        let mut weights: Weights =
+            twins.iter().map(|(atom, weight)| (*atom, Complex::new(share(*weight), 0))).collect();
+        // In all exactly one.
+        let missing = one as i64 - weights.iter().map(|(_, weight)| weight.re.abs()).sum::<i64>();
+        let (_, first) = weights.first_mut()?;
+        first.re += first.re.signum() * missing;
+        Some(Written { weights, total: 1.0, residual: 0.0 })
     }
 
     fn fits(&self, written: &Written) -> bool {
