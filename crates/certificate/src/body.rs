@@ -461,4 +461,49 @@ mod tests {
         assert_eq!(bound(1, &[term(0, -1, -2), term(3, 0, 3)]), fixed(6, 4));
         assert_eq!(bound(1, &[term(2, -1, -2), term(1, 3, 0)]), fixed(0, 4));
     }
+
+    #[test]
+    fn the_way_between_the_ends_is_bounded_with_all_errors() {
+        let mut polytope = polytope(false, false, "[[1, 0], [0, 1]]", UNITS);
+        let motion = r#"{"vertices": [[1, 0], [0, 1]], "rests": []}"#;
+        polytope.motion = serde_json::from_str(motion).unwrap();
+        let zero = || fixed(0, 1);
+        // The images of the first vertex are columns, in quarters.
+        let inside =
+            |columns: [i64; 2], errors: [Integer; 2], vertex_errors, terms: [&[Term]; 3]| {
+                let work = &mut Work::new();
+                let body = body(&polytope, vertex_errors).unwrap();
+                let [a, b] = columns.map(|c| [c, 0, 0, 0]);
+                let [inner_error, end_error] = errors;
+                let mut inner = place(a, inner_error);
+                inner.side = Side::Inner;
+                let image = Image { vertex: 0, letter: 0 };
+                let [at_inner, at_end, rest] = terms;
+                let terms = (at_inner, at_end, rest);
+                body.has_path((&inner, &place(b, end_error)), image, terms, work).unwrap()
+            };
+        let exact = || [zero(), zero()];
+        let none: [&[Term]; 3] = [&[], &[], &[]];
+        assert!(inside([3, 4], exact(), exact(), none));
+        assert!(!inside([4, 4], exact(), exact(), none));
+        // The sum of 7/4 and the errors of the matrices.
+        for (error, is_inside) in [(fixed(1, 5), true), (fixed(1, 4), false)] {
+            assert_eq!(inside([3, 4], [error.clone(), zero()], exact(), none), is_inside);
+            assert_eq!(inside([3, 4], [zero(), error], exact(), none), is_inside);
+        }
+        // That of the vertex itself: (7/4 + 2 η 3/4) / (1 - 2 η), the norm of the inner end alone.
+        let vertex = |error: Integer| inside([3, 4], exact(), [error, zero()], none);
+        assert!(vertex(fixed(1, 23)) && !vertex(fixed(1, 21)));
+        // That of another one: 7/4 / (1 - 2 η).
+        let other = |error: Integer| inside([3, 4], exact(), [zero(), error], none);
+        assert!(other(fixed(1, 17)) && !other(fixed(1, 16)));
+        // With one half of the other: 1/2 + (1/2 + 1/2 + η) / (1 - 2 η). The moved one is exact.
+        let half = [term(1, 2, 0)];
+        let with_half = |error: Integer, terms| inside([1, 1], exact(), [zero(), error], terms);
+        for terms in [[&half, &[][..], &[]], [&[], &[], &half]] {
+            assert!(with_half(fixed(1, 9), terms) && !with_half(fixed(1, 7), terms));
+        }
+        let at_end: [&[Term]; 3] = [&[], &half, &[]];
+        assert!(with_half(fixed(1, 7), at_end) && !with_half(fixed(1, 5), at_end));
+    }
 }

@@ -146,11 +146,14 @@ fn check_inner(family: &Family, lemmas: &[Lemma]) -> Fits {
 
 fn check_polytope(polytope: &Polytope) -> Fits {
     check_end(&polytope.end)?;
-    at_most(polytope.vertices.len(), VERTICES, "more than 20000 vertices")?;
+    let moved = polytope.motion.as_ref();
+    let count = polytope.vertices.len().max(moved.map_or(0, |m| m.vertices.len()));
+    at_most(count, VERTICES, "more than 20000 vertices")?;
     at_most(polytope.leading.len(), VERTICES, "more than 20000 leading words")?;
     let longest = polytope.leading.iter().map(|l| l.word.len()).max().unwrap_or(0);
     at_most(longest, WORD, "a word longer than 32")?;
-    let images = polytope.inner_images.iter().chain(&polytope.end_images).flatten();
+    let rests = moved.into_iter().flat_map(|m| &m.rests);
+    let images = polytope.inner_images.iter().chain(&polytope.end_images).chain(rests).flatten();
     let pairs = |c: &Combination| c.as_ref().map_or(0, Vec::len);
     let longest = images.chain(&polytope.units).map(pairs).max().unwrap_or(0);
     at_most(longest, 2 * VERTICES, "a combination of more than 40000 vertices")

@@ -6,7 +6,10 @@ use refinable_algebra::Integer;
 use refinable_certificate::{Certificate, Unreadable, verify};
 use serde_json::{Value, json};
 
-use crate::support::{FOUR_POINT, certificate, constant_family, four_point, nothing, waves};
+use crate::support::{
+    FOUR_POINT, certificate, constant_family, four_point, growing_waves, leaning_theorem, nothing,
+    waves,
+};
 
 /// Reads and, if that succeeds, verifies; neither may take long.
 fn survive(bytes: &[u8]) -> Result<(), String> {
@@ -243,6 +246,58 @@ fn hostile_complex_polytopes() {
         let value = missing["lemmas"][0].as_object_mut().unwrap().remove(field).unwrap();
         assert!(survive_value(&missing).unwrap_err().contains("missing field"));
         missing["lemmas"][0][field] = value;
+    }
+}
+
+#[test]
+fn hostile_moving_polytopes() {
+    let real = leaning_theorem();
+    let complex = growing_waves();
+    for valid in [&real, &complex] {
+        assert_eq!(survive_value(valid), Ok(()));
+        let length = valid["lemmas"][0]["vertices"][0].as_array().unwrap().len();
+        let count = valid["lemmas"][0]["vertices"].as_array().unwrap().len();
+        let change = |pointer: &str, value: Value| {
+            let mut changed = valid.clone();
+            *changed.pointer_mut(&format!("/lemmas/0/motion{pointer}")).expect(pointer) = value;
+            assert!(survive_value(&changed).is_err(), "{pointer}");
+        };
+        change("", json!({}));
+        change("", json!([]));
+        change("", json!({"vertices": [], "rests": []}));
+        change("", json!({"vertices": [], "rests": [], "more": 0}));
+        change("/vertices", json!([]));
+        change("/vertices", json!(vec![vec![0; length]; count]));
+        change("/vertices", json!(vec![vec![1; length]; count]));
+        change("/vertices", json!(vec![vec![i64::MIN; length]; count]));
+        change("/vertices", json!(vec![vec![1; length]; 20_001]));
+        change("/vertices/0", json!([]));
+        change("/vertices/0", json!(vec![i64::MAX; length]));
+        change("/vertices/0", json!(vec![i64::MIN; length]));
+        change("/vertices/1", json!(vec![0; length + 1]));
+        change("/vertices/1/0", json!(i64::MIN as u64));
+        change("/rests", json!([]));
+        change("/rests", json!(vec![json!([[], []]); 20_001]));
+        change("/rests/0", json!([]));
+        change("/rests/0", json!(null));
+        change("/rests/0/0", json!(null));
+        change("/rests/0/0", json!([[u64::MAX, 1]]));
+        change("/rests/0/0", json!([[usize::MAX - 1, 1]]));
+        change("/rests/0/0", json!([[8, 1]]));
+        change("/rests/0/0", json!([[0, i64::MIN]]));
+        change("/rests/0/0", json!(vec![[0, i64::MIN, i64::MIN]; 9]));
+        change("/rests/0/0", json!(vec![[0, 1]; 40_000]));
+    }
+    for list in ["motion/rests/0/0", "inner_images/0/0", "end_images/0/1", "units/0"] {
+        let mut long = real.clone();
+        *long.pointer_mut(&format!("/lemmas/0/{list}")).unwrap() = json!(vec![[0, 0]; 40_001]);
+        too_large(&long);
+    }
+    let many = vec![json!([0, 1]); 20_001];
+    for list in ["vertices", "motion/vertices"] {
+        let mut long = real.clone();
+        *long.pointer_mut(&format!("/lemmas/0/{list}")).unwrap() = json!(many);
+        too_large(&long);
     }
 }
 

@@ -4,7 +4,7 @@
 //! |---|---|
 //! | `families` | families that are none, curves, single members, other arities, divisibility |
 //! | `norms` | norms of powers of the difference symbol |
-//! | `polytopes`, `complex_polytopes` | invariant polytopes up to ends of all kinds |
+//! | `polytopes`, `complex_polytopes`, `moving_polytopes` | invariant polytopes up to ends of all kinds |
 //! | `words` | products with real and with complex eigenvalues |
 //! | `stability`, `reduced` | roots of unity, and masks that are reduced |
 //! | `regularity` | Hölder exponents |
@@ -16,6 +16,7 @@
 mod complex_polytopes;
 mod families;
 mod hostile;
+mod moving_polytopes;
 mod mutations;
 mod norms;
 mod polytopes;

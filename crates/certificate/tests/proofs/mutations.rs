@@ -6,7 +6,7 @@ use refinable_algebra::{Integer, Polynomial, Rational, parse_rational, rational}
 use refinable_certificate::{Certificate, Conclusion, End, Interval, verify};
 use serde_json::{Value, json};
 
-use crate::support::{FOUR_POINT, turning_theorem, waves};
+use crate::support::{FOUR_POINT, growing_waves, leaning_theorem, turning_theorem, waves};
 
 /// The paths of all numbers and truth values.
 fn places(value: &Value, path: &str, found: &mut Vec<String>) {
@@ -69,6 +69,11 @@ impl Critical {
     /// `1/√3`.
     fn waves() -> Self {
         Critical { polynomial: [-1, 0, 3, 0], from: rational(0, 1) }
+    }
+
+    /// `7/8`.
+    fn leaning() -> Self {
+        Critical { polynomial: [-7, 8, 0, 0], from: rational(0, 1) }
     }
 
     /// Whether the end is at most (`false`: at least) this number, up to `2^-50`.
@@ -142,12 +147,19 @@ fn holds_for_four_points(conclusion: &Conclusion) -> bool {
     proved.iter().all(inside) && refuted.iter().all(outside)
 }
 
-/// The ternary family is continuous exactly on `(-critical, critical)`.
 fn holds_for_turning(conclusion: &Conclusion) -> bool {
+    holds_in_the_middle(conclusion, &Critical::turning())
+}
+
+fn holds_for_leaning(conclusion: &Conclusion) -> bool {
+    holds_in_the_middle(conclusion, &Critical::leaning())
+}
+
+/// The ternary family is continuous exactly on `(-critical, critical)`.
+fn holds_in_the_middle(conclusion: &Conclusion, critical: &Critical) -> bool {
     let Conclusion::Continuity { continuity: 0, proved, refuted } = conclusion else {
         return false;
     };
-    let critical = Critical::turning();
     let inside = |interval: &Interval| {
         let Some([from, to]) = finite(interval) else { return false };
         critical.bounds(&opposite(from), true) && critical.bounds(to, true)
@@ -186,7 +198,9 @@ fn theorem(which: usize) -> Theorem {
             (four_point, "/lemmas/1/", holds_for_four_points)
         }
         1 => (turning_theorem(), "/lemmas/0/", holds_for_turning),
-        _ => (waves(), "/lemmas/0/", holds_for_waves),
+        2 => (leaning_theorem(), "/lemmas/0/", holds_for_leaning),
+        3 => (waves(), "/lemmas/0/", holds_for_waves),
+        _ => (growing_waves(), "/lemmas/0/", holds_for_waves),
     }
 }
 
@@ -195,11 +209,11 @@ fn read(value: &Value) -> Option<Certificate> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 6000, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 10_000, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn one_changed_value(
-        which in 0_usize..3,
+        which in 0_usize..5,
         place in any::<prop::sample::Index>(),
         how in 0_usize..4,
         by in -300_i64..300,
@@ -225,7 +239,7 @@ proptest! {
 
 #[test]
 fn the_truth_is_told_apart() {
-    for which in 0..3 {
+    for which in 0..5 {
         let (valid, _, is_true) = theorem(which);
         let holds = |pointer: &str, value: Value| {
             let mut changed = valid.clone();
@@ -250,6 +264,15 @@ fn the_truth_is_told_apart() {
                     ("proved/0/to", "87/100"),
                     ("refuted/0/to", "-86/100"),
                     ("refuted/1/from", "86/100"),
+                ],
+            ),
+            2 => (
+                vec![("proved/0/from", "-87/100"), ("refuted/0/to", "-88/100")],
+                vec![
+                    ("proved/0/from", "-88/100"),
+                    ("proved/0/to", "88/100"),
+                    ("refuted/0/to", "-87/100"),
+                    ("refuted/1/from", "87/100"),
                 ],
             ),
             _ => (

@@ -203,3 +203,124 @@ pub fn waves() -> Value {
     let lemmas = json!([ball, word, {"kind": "stable", "except": []}]);
     certificate(&family, &conclusion, &lemmas)
 }
+
+/// The ternary family with `c(z) = (1/8 + t) + (3/8 - t) z + (3/8 + t) z³ + (1/8 - t) z⁴`:
+///
+/// ```text
+/// A_0 = [[0,       0      ], [3/8 + t, 1/8 + t]],
+/// A_1 = [[3/8 + t, 1/8 + t], [1/8 - t, 3/8 - t]],
+/// A_2 = [[1/8 - t, 3/8 - t], [0,       0      ]].
+/// ```
+///
+/// The eigenvalue `1/8 ± t` of `A_0` and `A_2` is at least one for `|t| ≥ 7/8`. As `t` changes its
+/// sign, both coordinates are exchanged, and `A_0` with `A_2`.
+pub fn leaning() -> Value {
+    let mask = [["1/8", "1"], ["1/2", "0"], ["1/2", "0"], ["3/4", "0"], ["1/2", "0"], ["1/2", "0"]];
+    let mut mask = mask.to_vec();
+    mask.push(["1/8", "-1"]);
+    let mut family = family(&mask, 1);
+    family["arity"] = json!(3);
+    family
+}
+
+/// A body for `[-5/8, 7/8)` of which the first vertex moves from `(0, 1)` to `(1, 0)`, the second
+/// one stays at `(-5/2, 5/2)`. At `7/8` the matrices are
+///
+/// ```text
+/// [[0, 0], [5/4, 1]], [[5/4, 1], [-3/4, -1/2]] and [[-3/4, -1/2], [0, 0]],
+/// ```
+///
+/// and the first one fixes the first vertex. Weights are 64ths.
+pub fn leaning_up_to_the_end() -> Value {
+    json!({
+        "kind": "polytope", "pencil": "parameter", "inner": "-5/8", "end": "7/8", "open": true,
+        "complex": false, "mirrored": false, "bits": 1, "vertices": [[0, 2], [-5, 5]],
+        "motion": {
+            "vertices": [[2, 0], [-5, 5]],
+            "rests": [[[[1, 32]], [], [[1, -32]]], [[], [], []]],
+        },
+        "leading": [{"word": "0", "sign": 1, "vertex": 0, "pivot": 1}], "weight_bits": 6,
+        "units": [[[0, 32], [1, -13]], [[0, 32], [1, 13]]],
+        "inner_images": [
+            [[[0, -16], [1, -6]], [[0, 32], [1, 19]], [[0, 48]]],
+            [[[0, -40], [1, -16]], [[1, 16]], [[0, 40]]],
+        ],
+        "end_images": [
+            [null, [[0, 32], [1, -26]], [[0, -32], [1, 13]]],
+            [[[0, -40]], [[1, 16]], [[0, 40], [1, -16]]],
+        ],
+    })
+}
+
+/// The polytope for the family with the opposite parameter: both coordinates and all letters in the
+/// opposite order.
+pub fn reflected(polytope: &Value) -> Value {
+    let mut reflected = polytope.clone();
+    for end in ["inner", "end"] {
+        let text = polytope[end].as_str().unwrap();
+        let opposite = text.strip_prefix('-').map_or_else(|| format!("-{text}"), str::to_owned);
+        reflected[end] = json!(opposite);
+    }
+    let reverse = |list: &mut Value| list.as_array_mut().unwrap().reverse();
+    reverse(&mut reflected["units"]);
+    for leading in reflected["leading"].as_array_mut().unwrap() {
+        leading["word"] = json!(leading["word"].as_str().unwrap().replace('0', "2"));
+        leading["pivot"] = json!(1 - leading["pivot"].as_u64().unwrap());
+    }
+    for lists in ["/vertices", "/motion/vertices", "/motion/rests", "/inner_images", "/end_images"]
+    {
+        let lists = reflected.pointer_mut(lists).and_then(Value::as_array_mut);
+        lists.into_iter().flatten().for_each(reverse);
+    }
+    reflected
+}
+
+/// Continuity exactly for `|t| < 7/8`.
+pub fn leaning_theorem() -> Value {
+    let conclusion = json!({
+        "kind": "continuity", "continuity": 0,
+        "proved": [{"from": "-7/8", "to": "7/8", "ends": "()"}],
+        "refuted": [
+            {"from": null, "to": "-7/8", "ends": "(]"},
+            {"from": "7/8", "to": null, "ends": "[)"},
+        ],
+    });
+    let word = |word: &str, from: Option<&str>, to: Option<&str>| json!({"kind": "word", "pencil": "parameter", "word": word, "from": from, "to": to});
+    let body = leaning_up_to_the_end();
+    let lemmas = json!([
+        body,
+        reflected(&body),
+        word("2", None, Some("-7/8")),
+        word("0", Some("7/8"), None)
+    ]);
+    certificate(&leaning(), &conclusion, &lemmas)
+}
+
+/// A body that grows towards `x_0`, by the factor `1 + 1/4`: its images are the same combinations at
+/// both ends, and nothing is left of them.
+pub fn growing(polytope: &Value) -> Value {
+    let scaled = |factor: i64| {
+        let mut vertices = polytope["vertices"].clone();
+        for vertex in vertices.as_array_mut().unwrap() {
+            for x in vertex.as_array_mut().unwrap() {
+                *x = json!(x.as_i64().unwrap() * factor);
+            }
+        }
+        vertices
+    };
+    let mut growing = polytope.clone();
+    growing["bits"] = json!(polytope["bits"].as_u64().unwrap() + 2);
+    growing["vertices"] = scaled(4);
+    let mut rests = polytope["inner_images"].clone();
+    let letters = rests.as_array_mut().unwrap().iter_mut();
+    letters.flat_map(|of| of.as_array_mut().unwrap()).for_each(|rest| *rest = json!([]));
+    growing["motion"] = json!({"vertices": scaled(5), "rests": rests});
+    growing
+}
+
+/// [`waves`] by a body that grows.
+pub fn growing_waves() -> Value {
+    let mut waves = waves();
+    waves["lemmas"][0] = growing(&waves["lemmas"][0]);
+    waves
+}
