@@ -1,7 +1,7 @@
 //! Division of polynomials: remainders, content, gcd, resultant, square-free part.
 //!
 //! Everything is done without fractions, by pseudo-division and the subresultant sequence, so the
-//! same code serves Z, Q and polynomials in further parameters.
+//! same code serves Z, Q and polynomials in further parameters; but the gcd over Z has a faster way.
 //!
 //! Source: H. Cohen, *A Course in Computational Algebraic Number Theory*, Algorithms 3.1.2, 3.3.1
 //! and 3.3.7.
@@ -153,6 +153,20 @@ fn subresultant_step<R: GcdDomain>(
     }
 }
 
+/// The primitive gcd of primitive polynomials that are not zero, from their subresultants.
+pub(crate) fn gcd_by_subresultants<R: GcdDomain>(
+    a: &Polynomial<R>,
+    b: &Polynomial<R>,
+) -> Polynomial<R> {
+    let (a, b) = if a.degree() < b.degree() { (b, a) } else { (a, b) };
+    let (mut a, mut b) = (a.clone(), b.clone());
+    let (mut g, mut h) = (R::one(), R::one());
+    while !b.is_constant() {
+        subresultant_step(&mut a, &mut b, &mut g, &mut h);
+    }
+    if b.is_zero() { a.primitive_part() } else { Polynomial::one() }
+}
+
 impl<R: GcdDomain> GcdDomain for Polynomial<R> {
     fn gcd(&self, other: &Self) -> Self {
         if self.is_zero() || other.is_zero() {
@@ -160,16 +174,7 @@ impl<R: GcdDomain> GcdDomain for Polynomial<R> {
             return nonzero.primitive_part().scaled(&nonzero.content());
         }
         let content = self.content().gcd(&other.content());
-        let (mut a, mut b) = (self.primitive_part(), other.primitive_part());
-        if a.degree() < b.degree() {
-            std::mem::swap(&mut a, &mut b);
-        }
-        let (mut g, mut h) = (R::one(), R::one());
-        while !b.is_constant() {
-            subresultant_step(&mut a, &mut b, &mut g, &mut h);
-        }
-        let primitive = if b.is_zero() { a.primitive_part() } else { Polynomial::one() };
-        primitive.scaled(&content)
+        R::primitive_gcd(&self.primitive_part(), &other.primitive_part()).scaled(&content)
     }
 
     fn unit_part(&self) -> Self {

@@ -6,7 +6,8 @@
 //! | `number` | the scalars [`Integer`], [`Rational`] (and `i128` as a bounded ring) |
 //! | `polynomial` | [`Polynomial`], dense in one variable over any ring |
 //! | `division` | remainders, gcd, resultant, square-free part of polynomials |
-//! | `modular` | images modulo small primes, to exclude factors of low degree |
+//! | `modular` | images modulo primes, in which degrees of factors are seen quickly |
+//! | `modular_gcd` | the gcd over Z from such images |
 //! | `laurent` | [`Laurent`], dense in `z`, with negative exponents |
 //! | `parameter` | [`Parameter`], [`Monomial`] |
 //! | `parameter_polynomial` | [`ParameterPolynomial`], sparse over Q in named parameters |
@@ -29,6 +30,7 @@ mod fraction;
 mod laurent;
 mod matrix;
 mod modular;
+mod modular_gcd;
 mod number;
 mod parameter;
 mod parameter_polynomial;

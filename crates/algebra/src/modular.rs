@@ -1,13 +1,49 @@
-//! Polynomials modulo a small prime, for one purpose: to see quickly that an integer polynomial has
-//! no factor of low degree.
+//! Polynomials modulo a prime: images of integer polynomials, in which degrees of factors and of
+//! common divisors are seen quickly.
 //!
 //! A factor over Z of degree `k` has a leading coefficient that divides that of the polynomial. So
 //! modulo a prime that does not divide the latter it is a factor of degree `k` again, and splits
 //! into irreducible ones of degrees `j ≤ k`, which divide `x^(p^j) - x`.
 
+use std::sync::LazyLock;
+
 use crate::number::Integer;
 use crate::polynomial::Polynomial;
 use crate::ring::Ring;
+
+/// The largest primes below `2^62`, so many as are mostly enough.
+static LARGE_PRIMES: LazyLock<Vec<u64>> =
+    LazyLock::new(|| primes_below(1 << 62).take(32).collect());
+
+/// The primes below `2^62`, from above.
+pub(crate) fn large_primes() -> impl Iterator<Item = u64> {
+    let last = LARGE_PRIMES[LARGE_PRIMES.len() - 1];
+    LARGE_PRIMES.iter().copied().chain(primes_below(last))
+}
+
+fn primes_below(bound: u64) -> impl Iterator<Item = u64> {
+    (3..bound).rev().filter(|n| is_prime(*n))
+}
+
+/// Miller's test with the first twelve primes, which decides below `3·10^24` (Sorenson and Webster
+/// 2017).
+fn is_prime(n: u64) -> bool {
+    const BASES: [u64; 12] = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37];
+    if BASES.iter().any(|&b| n.is_multiple_of(b)) {
+        return BASES.contains(&n);
+    }
+    let twos = (n - 1).trailing_zeros();
+    let odd = (n - 1) >> twos;
+    BASES.iter().all(|&base| {
+        let mut x = power(base, odd, n);
+        x == 1
+            || (0..twos).any(|_| {
+                let found = x == n - 1;
+                x = times(x, x, n);
+                found
+            })
+    })
+}
 
 /// Primes near 1000: large enough that chance factors are rare, small enough for cheap products.
 const PRIMES: [u64; 24] = [
@@ -30,22 +66,35 @@ impl Polynomial<Integer> {
     }
 }
 
+/// `c` modulo `p`, in `0..p`.
+pub(crate) fn residue(c: &Integer, p: u64) -> u64 {
+    let modulus = Integer::from(p);
+    let r = c % &modulus;
+    let r = if r < Integer::zero() { r + &modulus } else { r };
+    u64::try_from(r).expect("a residue is smaller than the prime")
+}
+
 /// A polynomial over the field of `p` elements, the last coefficient nonzero.
 #[derive(Clone)]
-struct Image {
+pub(crate) struct Image {
     p: u64,
     coefficients: Vec<u64>,
 }
 
 impl Image {
-    fn new(polynomial: &Polynomial<Integer>, p: u64) -> Self {
-        let modulus = Integer::from(p);
-        let residue = |c: &Integer| {
-            let r = c % &modulus;
-            let r = if r < Integer::zero() { r + &modulus } else { r };
-            u64::try_from(r).expect("a residue is smaller than the prime")
-        };
-        Image::trimmed(p, polynomial.coefficients().iter().map(residue).collect())
+    /// The polynomial modulo `p`.
+    pub fn new(polynomial: &Polynomial<Integer>, p: u64) -> Self {
+        Image::trimmed(p, polynomial.coefficients().iter().map(|c| residue(c, p)).collect())
+    }
+
+    /// The coefficients in ascending order.
+    pub fn coefficients(&self) -> &[u64] {
+        &self.coefficients
+    }
+
+    /// The prime.
+    pub fn prime(&self) -> u64 {
+        self.p
     }
 
     fn trimmed(p: u64, mut coefficients: Vec<u64>) -> Self {
@@ -70,8 +119,7 @@ impl Image {
     fn minus(&self, other: &Self) -> Self {
         let length = self.coefficients.len().max(other.coefficients.len());
         let at = |c: &[u64], k: usize| c.get(k).copied().unwrap_or(0);
-        let difference =
-            |k| (at(&self.coefficients, k) + self.p - at(&other.coefficients, k)) % self.p;
+        let difference = |k| minus(at(&self.coefficients, k), at(&other.coefficients, k), self.p);
         Image::trimmed(self.p, (0..length).map(difference).collect())
     }
 
@@ -82,22 +130,28 @@ impl Image {
         let mut product = vec![0; self.coefficients.len() + other.coefficients.len() - 1];
         for (i, a) in self.coefficients.iter().enumerate() {
             for (j, b) in other.coefficients.iter().enumerate() {
-                product[i + j] = (product[i + j] + a * b) % self.p;
+                product[i + j] = (product[i + j] + times(*a, *b, self.p)) % self.p;
             }
         }
         Image::trimmed(self.p, product)
     }
 
+    /// `c · self`.
+    pub fn scaled(&self, c: u64) -> Self {
+        let scaled = self.coefficients.iter().map(|a| times(*a, c, self.p));
+        Image::trimmed(self.p, scaled.collect())
+    }
+
     /// `self mod divisor`, the divisor not zero.
     fn remainder(&self, divisor: &Self) -> Self {
         let length = divisor.coefficients.len();
-        let inverse = power(divisor.coefficients[length - 1], self.p - 2, self.p);
+        let inverse = inverse(divisor.coefficients[length - 1], self.p);
         let mut rest = self.coefficients.clone();
         while rest.len() >= length {
             let shift = rest.len() - length;
-            let factor = rest[rest.len() - 1] * inverse % self.p;
+            let factor = times(rest[rest.len() - 1], inverse, self.p);
             for (r, c) in rest[shift..].iter_mut().zip(&divisor.coefficients) {
-                *r = (*r + (self.p - factor) * c) % self.p;
+                *r = minus(*r, times(factor, *c, self.p), self.p);
             }
             rest.pop();
         }
@@ -117,22 +171,39 @@ impl Image {
         result
     }
 
-    fn gcd(&self, other: &Self) -> Self {
+    /// A greatest common divisor, monic if it is not zero.
+    pub fn gcd(&self, other: &Self) -> Self {
         let (mut a, mut b) = (self.clone(), other.clone());
         while !b.coefficients.is_empty() {
-            (a, b) = (b.clone(), a.remainder(&b));
+            let rest = a.remainder(&b);
+            (a, b) = (b, rest);
         }
-        a
+        a.coefficients.last().map_or_else(|| a.clone(), |lead| a.scaled(inverse(*lead, self.p)))
     }
 }
 
+/// `a b` in the field.
+pub(crate) fn times(a: u64, b: u64, p: u64) -> u64 {
+    (u128::from(a) * u128::from(b) % u128::from(p)) as u64
+}
+
+/// `a - b` in the field.
+pub(crate) fn minus(a: u64, b: u64, p: u64) -> u64 {
+    if a >= b { a - b } else { a + (p - b) }
+}
+
+/// `1/a` in the field, by Fermat's theorem.
+pub(crate) fn inverse(a: u64, p: u64) -> u64 {
+    power(a, p - 2, p)
+}
+
 fn power(base: u64, exponent: u64, p: u64) -> u64 {
-    let (mut result, mut square, mut rest) = (1, base, exponent);
+    let (mut result, mut square, mut rest) = (1, base % p, exponent);
     while rest > 0 {
         if rest % 2 == 1 {
-            result = result * square % p;
+            result = times(result, square, p);
         }
-        square = square * square % p;
+        square = times(square, square, p);
         rest /= 2;
     }
     result
@@ -145,6 +216,15 @@ mod tests {
 
     fn poly(coefficients: &[i64]) -> Polynomial<Integer> {
         Polynomial::new(coefficients.iter().map(|&c| integer(c)).collect())
+    }
+
+    #[test]
+    fn the_first_large_primes_are_the_known_ones() {
+        // 2^62 - 57 is the largest prime below 2^62, and 2^62 - 87 the next.
+        assert!(large_primes().take(2).eq([(1 << 62) - 57, (1 << 62) - 87]));
+        assert_eq!(primes_below(1010).take(2).collect::<Vec<_>>(), [1009, 997]);
+        // Where the list goes on, nothing is missing and nothing twice.
+        assert!(large_primes().take(40).eq(primes_below(1 << 62).take(40)));
     }
 
     #[test]

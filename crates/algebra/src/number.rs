@@ -5,6 +5,8 @@ use std::cmp::Ordering;
 use num_integer::Integer as _;
 use num_traits::{One, Pow, Signed, Zero};
 
+use crate::modular_gcd::gcd_by_images;
+use crate::polynomial::Polynomial;
 use crate::ring::{Domain, GcdDomain, Ordered, Ring};
 
 /// An integer of any size.
@@ -221,6 +223,9 @@ impl GcdDomain for Integer {
     }
     fn unit_part(&self) -> Self {
         if Signed::is_negative(self) { integer(-1) } else { integer(1) }
+    }
+    fn primitive_gcd(a: &Polynomial<Self>, b: &Polynomial<Self>) -> Polynomial<Self> {
+        gcd_by_images(a, b)
     }
 }
 

@@ -3,6 +3,9 @@
 use std::cmp::Ordering;
 use std::fmt::Debug;
 
+use crate::division::gcd_by_subresultants;
+use crate::polynomial::Polynomial;
+
 /// A commutative ring with one.
 ///
 /// The operations are methods on references, not operators, so that one generic algorithm serves
@@ -70,6 +73,11 @@ pub trait GcdDomain: Domain {
     /// The unit `u` such that `self / u` is the chosen representative of its associates:
     /// the sign in Z, the number itself in a field. One for zero.
     fn unit_part(&self) -> Self;
+
+    /// The normalised gcd of two primitive polynomials over this ring that are not zero.
+    fn primitive_gcd(a: &Polynomial<Self>, b: &Polynomial<Self>) -> Polynomial<Self> {
+        gcd_by_subresultants(a, b)
+    }
 }
 
 /// An ordered ring.
