@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use std::sync::Arc;
 
 use refinable_algebra::{
-    Integer, Ordered, Polynomial, Rational, Ring, binomial, integer, least_common_multiple,
+    Integer, Ordered, Polynomial, Rational, Ring, integer, least_common_multiple,
 };
 
 use crate::gcd::square_free_part;
@@ -78,6 +78,15 @@ struct Local {
     upper: Rational,
 }
 
+/// `C(n, 0), …, C(n, n)`.
+fn binomials(n: usize) -> Vec<Integer> {
+    let mut row = vec![integer(1)];
+    for k in 0..n {
+        row.push(&row[k] * (n - k) / (k + 1));
+    }
+    row
+}
+
 enum Task {
     Interval(Local),
     Root(Rational),
@@ -127,8 +136,7 @@ impl Local {
         moved.reverse();
         shift_by_one(&mut moved, work)?;
         moved.reverse();
-        let n = moved.len() as u32 - 1;
-        let binomials: Vec<Integer> = (0..=n).map(|k| binomial(n, k)).collect();
+        let binomials = binomials(moved.len() - 1);
         let common = binomials.iter().fold(integer(1), |c, b| least_common_multiple(&c, b));
         work.products(4 * moved.len(), largest_bits(&moved), common.bits() * 64)?;
         let scaled = moved.iter().zip(&binomials).map(|(c, b)| c * (&common / b)).collect();

@@ -304,13 +304,18 @@ impl Cover {
     /// Adds polytopes from one number towards another, each from where the one before ends, as far as
     /// the effort goes.
     fn advance(&mut self, search: &Search, from: &Rational, goal: &Rational) {
+        let distance = |from: &Rational| approximate(&(goal - from)).abs();
         let mut reached = from.clone();
+        let mut stride = distance(from);
         for _ in 0..MOST_STEPS {
-            if reached == *goal {
+            let left = distance(&reached);
+            if left == 0.0 {
                 return;
             }
-            match search.step(&reached, goal) {
+            match search.step(&reached, goal, (stride / left).min(1.0)) {
                 Closed::Proved(polytope) => {
+                    // The next step may be longer.
+                    stride = 2.0 * (left - distance(&polytope.inner.0));
                     reached = polytope.inner.0.clone();
                     self.polytopes.push(*polytope);
                 }

@@ -1,5 +1,7 @@
 //! Polytopes for parts of an interval on which no word is known to reach spectral radius one.
 
+use std::cell::LazyCell;
+
 use nalgebra::DMatrix;
 use refinable_algebra::{Integer, Polynomial, Rational};
 use refinable_certificate::{self as certificate, End, Number, Polytope, Root};
@@ -27,8 +29,8 @@ const FIRST_REACH: f64 = 0.25;
 const FARTHER: [f64; 2] = [1.0, 0.6];
 /// and how far if it moves.
 const MOVING: [f64; 7] = [0.25, 0.1, 0.04, 0.01, 1e-3, 1e-4, 1e-5];
-/// Growth below which a polytope that does not move is tried over a long way.
-const STEADY: f64 = 0.98;
+/// Below which part of the way a step is not worth while.
+const LEAST_REACH: f64 = 1e-5;
 /// Directions in which a polytope is thinner than this against its width get additional vertices.
 const THIN: f64 = 1e-4;
 /// The lengths of these.
@@ -94,8 +96,9 @@ impl Search<'_> {
         tries.find_map(|(seed, effort)| self.from_seed(&place, seed, effort))
     }
 
-    /// A polytope that proves contraction from `from`, inclusive, some way towards `goal`.
-    pub fn step(&self, from: &Rational, goal: &Rational) -> Closed {
+    /// A polytope that proves contraction from `from`, inclusive, some way towards `goal`: at most the
+    /// part `farthest` of it.
+    pub fn step(&self, from: &Rational, goal: &Rational, farthest: f64) -> Closed {
         let x1 = approximate(from);
         let at_end = self.pencil.rounded_at(x1);
         let (word, growth) = fastest(&at_end, self.words);
@@ -104,19 +107,24 @@ impl Search<'_> {
         }
         let end = End::Rational(Number(from.clone()));
         let place = Place { end, x1, at_end: &at_end, goal };
-        if growth < STEADY {
-            for reach in [1.0, FIRST_REACH] {
-                let far = self.closed(from, &place.inner(reach));
-                if !matches!(far, Closed::Nothing) {
-                    return far;
-                }
+        let alone = Ends { inner: &[], end: &at_end };
+        let body = LazyCell::new(|| {
+            let seeds = self.inside(&at_end, word, growth);
+            seeds.iter().find_map(|(seed, effort)| self.full_body(&alone, seed, *effort))
+        });
+        let mut reach = farthest;
+        while reach > LEAST_REACH {
+            let still = self.closed(from, &place.inner(reach));
+            if !matches!(still, Closed::Nothing) {
+                return still;
             }
+            let moving = body.as_ref().and_then(|body| self.moving(&place, reach, body));
+            if let Some(polytope) = moving {
+                return Closed::Proved(Box::new(polytope));
+            }
+            reach *= 0.5;
         }
-        let found = self
-            .inside(&at_end, word, growth)
-            .into_iter()
-            .find_map(|(seed, effort)| self.from_seed(&place, &seed, effort));
-        found.map_or(Closed::Nothing, |found| Closed::Proved(Box::new(found)))
+        Closed::Nothing
     }
 
     /// A polytope from a place as far towards its goal as it will go: one that holds still, if it goes

@@ -122,6 +122,20 @@ fn rests_that_are_not_what_is_left() {
     refuse_with("/motion/rests/1/1", json!([[0, 5]]), &outside(1, 1));
 }
 
+/// `2 u_1` by weights of which the sum is one: on the way there is more room, `8 + 2` eighths.
+#[test]
+fn the_ends_are_checked_as_well() {
+    let long = json!([[1, 2], [0, 3], [0, -3]]);
+    refuse_with("/end_images/1/1", long.clone(), &outside(1, 1));
+    refuse_with("/inner_images/1/1", long, &outside(1, 1));
+    let less = json!([[1, 2], [0, 3], [0, -2]]);
+    let shorter = json!([[1, 2], [0, 2], [0, -2]]);
+    for list in ["/end_images/1/1", "/inner_images/1/1"] {
+        refuse_with(list, less.clone(), &outside(1, 1));
+        accept(&claim(&changed(&body(), list, shorter.clone())));
+    }
+}
+
 #[test]
 fn the_sum_of_all_weights_is_less_than_two() {
     let rest = |weights: Value| changed(&body(), "/motion/rests/0/0", weights);

@@ -3,8 +3,8 @@
 use serde_json::{Value, json};
 
 use crate::support::{
-    FOUR_POINT, accept, certificate, check, constant_family, family, nonnegative_lemmas, nothing,
-    refuse, regularity, spline,
+    FOUR_POINT, accept, certificate, check, constant_family, family, leaning,
+    leaning_up_to_the_end, nonnegative_lemmas, nothing, refuse, regularity, spline,
 };
 
 #[test]
@@ -186,4 +186,28 @@ fn exact_images_at_an_open_end() {
     polytope["inner_images"] = polytope["end_images"].take();
     polytope["end_images"] = images;
     refuse(&reversed, outside);
+}
+
+/// The body of [`leaning_up_to_the_end`] at rest, for `[1/2, 7/8)`. The first vertex is given as
+/// `(x, 256)/256`, at a distance of `x/256` from the true one.
+#[test]
+fn a_leading_vertex_is_known_up_to_an_error() {
+    let body = |x: i64| {
+        let mut body = leaning_up_to_the_end();
+        body.as_object_mut().unwrap().remove("motion");
+        body["inner"] = json!("1/2");
+        (body["bits"], body["vertices"]) = (json!(8), json!([[x, 256], [-640, 640]]));
+        body["units"] = json!([[[0, 64], [1, -26]], [[0, 64]]]);
+        body["inner_images"] = json!([
+            [[[0, 40]], [[0, 32], [1, -16]], [[0, -8], [1, 3]]],
+            [[[0, -40]], [[1, 16]], [[0, 40], [1, -16]]],
+        ]);
+        certificate(&leaning(), &nothing(0), &json!([body]))
+    };
+    for x in [0, 1, -1] {
+        accept(&body(x));
+    }
+    for x in [3, -3] {
+        refuse(&body(x), "the image of vertex 0 under letter 1 is not shown to be inside");
+    }
 }
