@@ -1,9 +1,8 @@
-//! Determinants of matrices of polynomials, modulo primes; interpolation.
+//! Determinants of matrices of polynomials, by evaluation at integers and interpolation.
 
-use refinable_algebra::{Integer, Matrix, Ordered, Polynomial, Rational, Ring, integer};
+use refinable_algebra::{Integer, Matrix, Polynomial, Rational, Ring, integer};
 
 use crate::family::Letters;
-use crate::modular::{self, Lift, Primes, residue};
 use crate::work::{Check, Work, largest_bits, polynomial_bits, rational_bits};
 
 /// The product of the matrices of a word: `entries(x^stretch) / denominator`.
@@ -144,7 +143,7 @@ fn rank_bound(d: usize, matrix: &[Integer]) -> usize {
 }
 
 /// The determinant of a matrix of integer polynomials, of which the degree is known not to exceed
-/// `degree`: modulo primes, until their product is more than twice any coefficient.
+/// `degree`.
 pub(crate) fn determinant(
     size: usize,
     entries: &[Polynomial<Integer>],
@@ -153,41 +152,16 @@ pub(crate) fn determinant(
 ) -> Check<Polynomial<Integer>> {
     let longest = entries.iter().map(|e| e.coefficients().len()).max().unwrap_or(0);
     let bits = entries.iter().map(polynomial_bits).max().unwrap_or(0);
-    work.products(2 * entries.len() * longest, bits, 64)?;
-    let enough = height_bits(size, entries) + 1;
-    // A product in the field takes few steps, compared with one of long numbers.
-    let products = (degree + 1) * (size * size * (longest + size) + 64 * size + 2 * degree);
-    let mut lift: Option<Lift> = None;
-    for p in Primes::below_power_of_two() {
-        work.spend(3 * products as u64)?;
-        work.products(entries.len() * longest, bits, 64)?;
-        work.products(2 * (degree + 1), lift.as_ref().map_or(64, |l| l.modulus.bits()), 64)?;
-        let residues = |e: &Polynomial<Integer>| -> Vec<u64> {
-            e.coefficients().iter().map(|c| residue(c, p)).collect()
-        };
-        let images: Vec<Vec<u64>> = entries.iter().map(residues).collect();
-        let image = modular::determinant(size, &images, degree, p);
-        match &mut lift {
-            Some(lift) => lift.join(&image, p),
-            None => lift = Some(Lift::new(&image, p)),
-        }
-        if let Some(lift) = lift.as_ref().filter(|lift| lift.modulus.bits() > enough) {
-            return Ok(lift.symmetric());
-        }
-    }
-    unreachable!("the iterator over primes does not end before the work does")
-}
-
-/// A number `n` such that all coefficients of the determinant are less than `2^n`: the sum of their
-/// absolute values is at most the product over the rows of the sums of those of the entries, and the
-/// same is true of the columns.
-fn height_bits(size: usize, entries: &[Polynomial<Integer>]) -> u64 {
-    let sizes: Vec<Integer> =
-        entries.iter().map(|e| e.coefficients().iter().map(Ordered::absolute).sum()).collect();
-    let rows = (0..size).map(|i| (0..size).map(|j| &sizes[i * size + j]).sum::<Integer>().bits());
-    let columns =
-        (0..size).map(|j| (0..size).map(|i| &sizes[i * size + j]).sum::<Integer>().bits());
-    rows.sum::<u64>().min(columns.sum())
+    let entry_bits = bits + longest as u64 * degree.max(2).ilog2() as u64 + 2;
+    let minor_bits = entry_bits * size as u64 / 2;
+    work.products((degree + 1) * size * size * longest, entry_bits, 64)?;
+    work.products((degree + 1) * size * size * size, minor_bits, minor_bits)?;
+    let first = -(degree as i64 / 2);
+    let value = |k: usize| {
+        let x = integer(first + k as i64);
+        Matrix::from_fn(size, size, |i, j| entries[i * size + j].evaluate(&x)).determinant()
+    };
+    interpolate((0..=degree).map(value).collect(), first, work)
 }
 
 /// The integer polynomial of degree at most `n` with the values at `first, first + 1, …, first + n`.
@@ -255,34 +229,6 @@ mod tests {
         for (first, n) in [(-2, 5), (0, 5), (-4, 9)] {
             let got = interpolate(values(first, n).collect(), first, &mut Work::new()).unwrap();
             assert_eq!(got, p);
-        }
-    }
-
-    #[test]
-    fn determinants_are_those_of_the_values() {
-        // Entries of both signs and of many bits, some rows shorter, a column to be swapped.
-        let entry = |k: usize| {
-            let c = |n: usize| integer((k * k + 7 * n) as i64 % 23 - 11) << (k * 17 % 130);
-            Polynomial::new((0..k % 4).map(c).collect())
-        };
-        for size in 0..=5 {
-            let entries: Vec<_> = (0..size * size).map(entry).collect();
-            let got = determinant(size, &entries, 3 * size, &mut Work::new()).unwrap();
-            for x in -8..=8 {
-                let value = |i: usize, j: usize| entries[i * size + j].evaluate(&integer(x));
-                let expected = Matrix::from_fn(size, size, value).determinant();
-                assert_eq!(got.evaluate(&integer(x)), expected, "{size} {x}");
-            }
-        }
-        // As large as the bound allows: the sums of all rows and columns are ±2^n.
-        for n in [0_u64, 1, 30, 61, 62, 63, 200] {
-            for sign in [1, -1] {
-                let power: Integer = integer(sign) << n;
-                let entries = [power.clone(), Integer::zero(), Integer::zero(), integer(1)];
-                let entries = entries.map(Polynomial::constant);
-                let got = determinant(2, &entries, 0, &mut Work::new());
-                assert_eq!(got, Ok(Polynomial::constant(power)));
-            }
         }
     }
 }

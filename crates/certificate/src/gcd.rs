@@ -4,9 +4,9 @@
 //! degree of the true one. So a common divisor of that degree, found by the Chinese remainder
 //! theorem and confirmed by division, is the greatest.
 
-use refinable_algebra::{Domain, GcdDomain, Integer, Polynomial, Ring};
+use refinable_algebra::{Domain, GcdDomain, Integer, Ordered, Polynomial, Ring, integer};
 
-use crate::modular::{Image, Lift, Primes, residue};
+use crate::modular::{Image, Primes, residue};
 use crate::work::{Check, Work, polynomial_bits};
 
 /// The primitive greatest common divisor with a positive leading coefficient, of two polynomials
@@ -34,15 +34,10 @@ pub(crate) fn greatest_common_divisor(
         }
         let image = image.scaled(residue(&lead, p));
         let stable = match &mut lift {
-            Some(old) if old.len() <= image.degree() => continue,
-            Some(old) if old.len() == image.degree() + 1 => {
-                work.products(old.len() * 3, old.modulus.bits(), 64)?;
-                let before = old.symmetric();
-                old.join(image.coefficients(), p);
-                old.symmetric() == before
-            }
+            Some(old) if old.degree() < image.degree() => continue,
+            Some(old) if old.degree() == image.degree() => old.join(&image, work)?,
             _ => {
-                lift = Some(Lift::new(image.coefficients(), p));
+                lift = Some(Lift::new(&image));
                 true
             }
         };
@@ -100,4 +95,45 @@ fn spend_division(
     let bits = polynomial_bits(polynomial) + polynomial_bits(divisor);
     work.products(n * (n + m), bits, 64)?;
     work.products(n * m, bits, polynomial_bits(divisor))
+}
+
+/// A polynomial modulo a product of primes.
+struct Lift {
+    modulus: Integer,
+    coefficients: Vec<Integer>,
+}
+
+impl Lift {
+    fn new(image: &Image) -> Self {
+        let coefficients = image.coefficients().iter().map(|&c| Integer::from(c)).collect();
+        Lift { modulus: Integer::from(image.prime()), coefficients }
+    }
+
+    fn degree(&self) -> usize {
+        self.coefficients.len() - 1
+    }
+
+    /// Adds the information modulo one more prime; whether the symmetric lift stays the same.
+    fn join(&mut self, image: &Image, work: &mut Work) -> Check<bool> {
+        work.products(self.coefficients.len() * 3, self.modulus.bits(), 64)?;
+        let before = self.symmetric();
+        let p = image.prime();
+        let inverse = image.inverse(residue(&self.modulus, p));
+        for (c, &r) in self.coefficients.iter_mut().zip(image.coefficients()) {
+            let step = image.times(image.minus(r, residue(c, p)), inverse);
+            *c += &self.modulus * step;
+        }
+        self.modulus *= p;
+        Ok(self.symmetric() == before)
+    }
+
+    /// The representatives of least absolute value.
+    fn symmetric(&self) -> Polynomial<Integer> {
+        let two = integer(2);
+        let centred = self.coefficients.iter().map(|c| {
+            let high = (c * &two - &self.modulus).compare_to_zero().is_gt();
+            if high { c - &self.modulus } else { c.clone() }
+        });
+        Polynomial::new(centred.collect())
+    }
 }

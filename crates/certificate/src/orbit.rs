@@ -231,6 +231,23 @@ mod tests {
         orbit.errors(&position, 2, &mut Work::new())
     }
 
+    /// `[[-1, 0], [5/4, 1/4]]` maps `(1, -1)` to its opposite, and fixes nothing that is not zero.
+    #[test]
+    fn an_orbit_that_ends_at_the_opposite() {
+        let matrix = vec![fixed(-1, 1), Integer::zero(), fixed(5, 4), fixed(1, 4)];
+        let zero = Integer::zero();
+        let position = Position { matrices: vec![matrix], denominator: one(), error: zero };
+        let error = |second: i64| {
+            let vertices = [vec![8, second]];
+            let orbit = Orbit { word: vec![0], sign: -1, pivot: 0, vertices: &vertices, bits: 3 };
+            orbit.errors(&position, 2, &mut Work::new()).unwrap().remove(0)
+        };
+        for (second, exact) in [(-8, fixed(0, 1)), (-7, fixed(1, 8)), (0, fixed(1, 1))] {
+            let error = error(second);
+            assert!(error >= exact && error - exact < one() >> 180_u32, "{second}");
+        }
+    }
+
     fn assert_close(errors: Check<Vec<Integer>>, expected: [Integer; 2]) {
         for (error, exact) in errors.unwrap().iter().zip(&expected) {
             assert!(error >= exact && error - exact < one() >> 180_u32, "{error} {exact}");
