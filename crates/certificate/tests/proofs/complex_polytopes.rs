@@ -157,6 +157,12 @@ fn forms_that_are_none() {
     (least[0]["bits"], least[0]["weight_bits"]) = (json!(62), json!(1));
     least[0]["end_images"] = json!([[[[1, -2]], []]]);
     accept(&claim(least));
+    // The image by one half of the vertex, with a residual of one half: no exact one.
+    let mut half = disc(json!([1]), false, json!([0, 2]));
+    (half[0]["weight_bits"], half[0]["end_images"]) = (json!(1), json!([[[[0, 2]], []]]));
+    accept(&claim(half.clone()));
+    half[0]["end_images"] = json!([[[[0, 1]], []]]);
+    refuse(&claim(half), OUTSIDE);
     let real = claim(disc(json!([1]), false, json!([0, 1, 1])));
     refuse(&real, "a weight of a real polytope is not real");
 }
