@@ -409,29 +409,6 @@ impl Body {
             gauge.push(&mirrored(self.dimension, vertex));
         }
     }
-
-    /// Unit vectors in whose direction the polytope is thinner than `ratio` of its width.
-    pub fn thin_directions(&self, ratio: f64) -> Vec<Vec<f64>> {
-        let d = self.dimension;
-        let mut parts: Vec<DVector<f64>> = self
-            .vertices
-            .iter()
-            .flat_map(|v| v.chunks_exact(d))
-            .map(DVector::from_column_slice)
-            .collect();
-        if self.shape.mirrored {
-            let mirror = |v: &DVector<f64>| DVector::from_iterator(d, v.iter().rev().copied());
-            parts.extend(parts.iter().map(mirror).collect::<Vec<_>>());
-        }
-        let gram = parts.iter().fold(DMatrix::zeros(d, d), |sum, v| sum + v * v.transpose());
-        let eigen = gram.symmetric_eigen();
-        let widest = eigen.eigenvalues.max();
-        let size = if self.shape.complex { 2 * d } else { d };
-        (0..d)
-            .filter(|&i| eigen.eigenvalues[i] < widest * ratio * ratio)
-            .map(|i| padded(eigen.eigenvectors.column(i).as_slice(), size))
-            .collect()
-    }
 }
 
 fn is_short(v: &[f64]) -> bool {

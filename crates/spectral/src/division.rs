@@ -290,7 +290,7 @@ fn samples(interval: &Interval) -> Vec<f64> {
 }
 
 /// How many polytopes are tried one after the other between two numbers.
-const MOST_STEPS: usize = 48;
+const MOST_STEPS: usize = 100;
 
 /// Polytopes on parts of an interval.
 #[derive(Default)]
@@ -301,31 +301,33 @@ struct Cover {
 }
 
 impl Cover {
-    /// Adds polytopes from one number towards another, each from where the one before ends, as far as
-    /// the effort goes.
-    fn advance(&mut self, search: &Search, from: &Rational, goal: &Rational) {
+    /// From one number towards another, each polytope from where the one before ends, as far as the
+    /// effort goes.
+    fn advance(search: &Search, from: &Rational, goal: &Rational) -> Self {
+        let mut cover = Cover::default();
         let distance = |from: &Rational| approximate(&(goal - from)).abs();
         let mut reached = from.clone();
         let mut stride = distance(from);
         for _ in 0..MOST_STEPS {
             let left = distance(&reached);
             if left == 0.0 {
-                return;
+                break;
             }
             match search.step(&reached, goal, (stride / left).min(1.0)) {
                 Closed::Proved(polytope) => {
                     // The next step may be longer.
                     stride = 2.0 * (left - distance(&polytope.inner.0));
                     reached = polytope.inner.0.clone();
-                    self.polytopes.push(*polytope);
+                    cover.polytopes.push(*polytope);
                 }
                 Closed::Faster(word) => {
-                    self.faster.push(word);
-                    return;
+                    cover.faster.push(word);
+                    break;
                 }
-                Closed::Nothing => return,
+                Closed::Nothing => break,
             }
         }
+        cover
     }
 
     /// From an end towards a goal: from the end itself, if a polytope reaches it exactly, or else from
@@ -346,7 +348,23 @@ impl Cover {
             }
             None => short_dyadic(approximate_root(end) + gap, gap.abs() / 4.0),
         };
-        cover.advance(search, &start, goal);
+        cover.extend(Cover::between(search, &start, goal));
+        cover
+    }
+
+    /// Between two numbers, from both of them to the middle.
+    fn between(search: &Search, from: &Rational, to: &Rational) -> Self {
+        let (a, b) = (approximate(from), approximate(to));
+        if from == to {
+            return Cover::default();
+        }
+        let middle = short_dyadic((a + b) / 2.0, (b - a).abs() / 8.0);
+        let halves = rayon::join(
+            || Cover::advance(search, from, &middle),
+            || Cover::advance(search, to, &middle),
+        );
+        let mut cover = halves.0;
+        cover.extend(halves.1);
         cover
     }
 
@@ -389,7 +407,7 @@ fn prove(
     );
     cover.extend(from_upper);
     for pair in solid.windows(2) {
-        cover.advance(search, &pair[0].1, &pair[1].0);
+        cover.extend(Cover::between(search, &pair[0].1, &pair[1].0));
     }
     cover
 }

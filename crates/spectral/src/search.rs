@@ -1,13 +1,11 @@
 //! Polytopes for parts of an interval on which no word is known to reach spectral radius one.
 
-use std::cell::LazyCell;
-
 use nalgebra::DMatrix;
 use refinable_algebra::{Integer, Polynomial, Rational};
 use refinable_certificate::{self as certificate, End, Number, Polytope, Root};
 use refinable_reals::{RealAlgebraic, real_roots_between};
 
-use crate::body::{Body, Closing, Effort, Ends, Start};
+use crate::body::{Body, Closing, Effort, Ends};
 use crate::float::{approximate, approximate_root, dyadic, short_dyadic};
 use crate::leading::{fastest, growth};
 use crate::pencil::Pencil;
@@ -18,23 +16,16 @@ use crate::word::Word;
 /// The amounts, in floats, by which images must be inside.
 const MARGINS: [f64; 2] = [1e-5, 1e-7];
 /// The same where growth is less than one.
-const MARGINS_INSIDE: [f64; 3] = [1e-2, 1e-3, 1e-5];
+const MARGINS_INSIDE: [f64; 2] = [1e-2, 1e-4];
 /// The largest numbers of vertices of a polytope, mirror images not counted, tried in turn.
 const MOST_VERTICES: [usize; 2] = [150, 750];
 /// The same for a polytope on a closed interval, of which there may be many.
-const CLOSED_VERTICES: [usize; 2] = [60, 240];
-/// How far from an end towards the goal one polytope may reach: first this,
-const FIRST_REACH: f64 = 0.25;
-/// then if possible farther,
-const FARTHER: [f64; 2] = [1.0, 0.6];
-/// and how far if it moves.
-const MOVING: [f64; 7] = [0.25, 0.1, 0.04, 0.01, 1e-3, 1e-4, 1e-5];
+const CLOSED_VERTICES: [usize; 3] = [60, 240, 750];
 /// Below which part of the way a step is not worth while.
 const LEAST_REACH: f64 = 1e-5;
-/// Directions in which a polytope is thinner than this against its width get additional vertices.
-const THIN: f64 = 1e-4;
-/// The lengths of these.
-const ADDITIONS: [f64; 3] = [0.01, 1e-3, 1e-4];
+/// The lengths of unit vectors inside a polytope, the best first: the fatter it is, the less it minds
+/// that matrices change.
+const FATNESS: [f64; 3] = [0.3, 0.1, 0.01];
 /// The length of words that may show that two ends are too far apart for one polytope.
 const PROBE: usize = 4;
 /// Precisions for a polytope up to an exact end, and for one on a closed interval.
@@ -93,7 +84,7 @@ impl Search<'_> {
         let seeds = self.sowing(&at_end).up_to(end, crossings);
         // A little effort for all of them first.
         let mut tries = tries(&seeds, &MARGINS, &MOST_VERTICES);
-        tries.find_map(|(seed, effort)| self.from_seed(&place, seed, effort))
+        tries.find_map(|(seed, effort)| self.reaching(&place, seed, effort, 1.0))
     }
 
     /// A polytope that proves contraction from `from`, inclusive, some way towards `goal`: at most the
@@ -107,44 +98,36 @@ impl Search<'_> {
         }
         let end = End::Rational(Number(from.clone()));
         let place = Place { end, x1, at_end: &at_end, goal };
-        let alone = Ends { inner: &[], end: &at_end };
-        let body = LazyCell::new(|| {
-            let seeds = self.inside(&at_end, word, growth);
-            seeds.iter().find_map(|(seed, effort)| self.full_body(&alone, seed, *effort))
-        });
-        let mut reach = farthest;
-        while reach > LEAST_REACH {
-            let still = self.closed(from, &place.inner(reach));
-            if !matches!(still, Closed::Nothing) {
-                return still;
-            }
-            let moving = body.as_ref().and_then(|body| self.moving(&place, reach, body));
-            if let Some(polytope) = moving {
-                return Closed::Proved(Box::new(polytope));
-            }
-            reach *= 0.5;
-        }
-        Closed::Nothing
+        let found = self
+            .inside(&at_end, word, growth)
+            .iter()
+            .find_map(|(seed, effort)| self.reaching(&place, seed, *effort, farthest));
+        found.map_or(Closed::Nothing, |found| Closed::Proved(Box::new(found)))
     }
 
-    /// A polytope from a place as far towards its goal as it will go: one that holds still, if it goes
-    /// far, or else one that moves.
-    fn from_seed(&self, place: &Place, seed: &Seed, effort: Effort) -> Option<Polytope> {
+    /// A polytope from a place as far towards its goal as it will go, at most the part `farthest`.
+    fn reaching(
+        &self,
+        place: &Place,
+        seed: &Seed,
+        effort: Effort,
+        farthest: f64,
+    ) -> Option<Polytope> {
         // What the end alone needs tells what to spend on both ends.
         let alone = Ends { inner: &[], end: place.at_end };
-        let body = self.full_body(&alone, seed, effort)?;
-        let vertices = (3 * body.vertices.len() + 100).min(effort.vertices);
+        let (seed, body) = self.fattest(&alone, seed, effort)?;
+        let vertices = (2 * body.vertices.len() + 50).max(240);
         let effort = Effort { vertices, ..effort };
         if self.kind == certificate::Pencil::Scale {
             // At scale zero all images are zero: one polytope does for all scales.
-            return self.holding(place, 1.0, seed, effort);
+            return self.holding(place, 1.0, &seed, effort);
         }
-        if let Some(first) = self.holding(place, FIRST_REACH, seed, effort) {
-            let farther = |&reach: &f64| self.holding(place, reach, seed, effort);
-            return FARTHER.iter().find_map(farther).or(Some(first));
-        }
-        // A polytope that moves is sure to do if it need not go far.
-        MOVING.iter().find_map(|&reach| self.moving(place, reach, &body))
+        let reaches = std::iter::successors(Some(farthest), |reach| Some(0.5 * reach));
+        reaches.take_while(|reach| *reach > LEAST_REACH).find_map(|reach| {
+            // A complex vector turns with the parameter: its polytope has to move.
+            let still = (!seed.shape.complex).then(|| self.holding(place, reach, &seed, effort));
+            still.flatten().or_else(|| self.moving(place, reach, &body))
+        })
     }
 
     fn holding(&self, place: &Place, reach: f64, seed: &Seed, effort: Effort) -> Option<Polytope> {
@@ -154,7 +137,7 @@ impl Search<'_> {
         if self.too_far_apart(&ends) {
             return None;
         }
-        let body = self.full_body(&ends, seed, effort)?;
+        let body = Body::grow(&ends, seed.shape, &seed.starts, effort)?;
         self.write(&body, None, &inner, place.end.clone(), &ends)
     }
 
@@ -188,13 +171,11 @@ impl Search<'_> {
         let end = End::Rational(Number(fast.clone()));
         let room = room(growth);
         let mut seeds = self.sowing(at_fast).inside(word, growth, room);
-        // The leading vector alone, and with company only where there is no shorter interval.
-        seeds.reverse();
         if a != b && self.kind == certificate::Pencil::Parameter {
             seeds.truncate(1);
         }
         let found = tries(&seeds, &[room], &CLOSED_VERTICES).find_map(|(seed, effort)| {
-            let body = self.full_body(&ends, seed, effort)?;
+            let (_, body) = self.fattest(&ends, seed, effort)?;
             self.write(&body, None, slow, end.clone(), &ends)
         });
         found.map_or(Closed::Nothing, |found| Closed::Proved(Box::new(found)))
@@ -238,18 +219,13 @@ impl Search<'_> {
             .find(|found| (self.accept)(found))
     }
 
-    /// A body that is not thin in any direction.
-    fn full_body(&self, ends: &Ends, seed: &Seed, effort: Effort) -> Option<Body> {
-        let Seed { shape, starts } = seed;
-        let body = Body::grow(ends, *shape, starts, effort)?;
-        let thin = body.thin_directions(THIN);
-        if thin.is_empty() {
-            return Some(body);
-        }
-        ADDITIONS.iter().find_map(|&length| {
-            let additions = thin.iter().map(|v| Start::Free(v.clone()).stretched(length));
-            let starts: Vec<Start> = starts.iter().cloned().chain(additions).collect();
-            Body::grow(ends, *shape, &starts, effort)
+    /// A body that is as fat as this effort allows, and the seed from which it has grown: with short
+    /// unit vectors.
+    fn fattest(&self, ends: &Ends, seed: &Seed, effort: Effort) -> Option<(Seed, Body)> {
+        FATNESS.iter().find_map(|&length| {
+            let seed = seed.fattened(length);
+            let body = Body::grow(ends, seed.shape, &seed.starts, effort)?;
+            Some((seed, body))
         })
     }
 }

@@ -26,6 +26,8 @@ const VERTEX_LENGTHS: [f64; 4] = [0.875, 0.9375, 0.8125, 1.0];
 /// How far outside a rival is, without which it would be of no use, and with which the leading
 /// vector is not inside.
 const OUTSIDE: f64 = 1.15;
+/// Growth below which a complex leading pair needs no complex polytope.
+const REAL: f64 = 0.95;
 /// The effort after which it is seen where the boundary would be without rivals.
 const GLANCE: Effort = Effort { margin: 1e-5, vertices: 60 };
 
@@ -34,6 +36,19 @@ const GLANCE: Effort = Effort { margin: 1e-5, vertices: 60 };
 pub(crate) struct Seed {
     pub shape: Shape,
     pub starts: Vec<Start>,
+}
+
+impl Seed {
+    /// With unit vectors of this length besides.
+    pub fn fattened(&self, length: f64) -> Self {
+        let size = self.starts[0].vector().len();
+        let dimension = if self.shape.complex { size / 2 } else { size };
+        // Mirror images do for the other half.
+        let units = if self.shape.mirrored { dimension.div_ceil(2) } else { dimension };
+        let unit = |i: usize| (0..size).map(|j| if i == j { length } else { 0.0 }).collect();
+        let units = (0..units).map(|i| Start::Free(unit(i)));
+        Seed { shape: self.shape, starts: self.starts.iter().cloned().chain(units).collect() }
+    }
 }
 
 /// Where seeds are sought.
@@ -81,8 +96,17 @@ impl Sowing<'_> {
         let Some(vector) = leading.and_then(|z| eigenvector(&matrix, z)) else {
             return Vec::new();
         };
+        let closing = Closing::Inside(room);
+        let mut seeds = Vec::new();
+        if vector.len() > matrix.nrows() && growth < REAL {
+            // There is room for a polygon in place of the disc in which the vector turns.
+            let parts = vector.chunks_exact(matrix.nrows()).map(|part| Start::Free(part.to_vec()));
+            let shape = Shape { mirrored: self.mirrored, complex: false, closing };
+            seeds.push(Seed { shape, starts: parts.collect() });
+        }
         let orbit = Start::Orbit { word: word.clone(), growth, vector };
-        self.seeds(Closing::Inside(room), &[orbit], &self.rivals(growth, true))
+        seeds.extend(self.seeds(closing, &[orbit], &self.rivals(growth, true)));
+        seeds
     }
 
     /// Leading eigenvectors of short words that grow nearly as fast; complex ones too if that is
@@ -164,7 +188,7 @@ impl Sowing<'_> {
             let company = company.iter().map(|start| start.stretched(short(length)));
             [first.clone()].into_iter().chain(company).collect()
         });
-        with.chain([alone.clone()]).collect()
+        [alone.clone()].into_iter().chain(with).collect()
     }
 }
 
