@@ -177,7 +177,9 @@ impl Body {
             // Long images first: they may swallow the others.
             images.sort_by(|a, b| norm(&b.vector).total_cmp(&norm(&a.vector)));
             for Image { parent, letter, vector, margin } in images {
-                let limits = Limits { inside: 1.0 - margin, outside: 1.0 + 1e-9, accuracy: FINEST };
+                // Anything that is not far enough inside is added: no need to know where it is.
+                let limits =
+                    Limits { inside: 1.0 - margin, outside: 1.0 - margin, accuracy: FINEST };
                 if gauge.represent(&vector, limits).total > limits.inside {
                     // Where vertices are to meet they must stay as they are.
                     let stays = side == Side::End

@@ -17,7 +17,9 @@ pub(crate) struct Gauge {
     /// The number of real coordinates: real parts first, then imaginary parts if complex.
     size: usize,
     complex: bool,
-    atoms: Vec<f64>,
+    /// For each coordinate, that of all atoms: most time goes into products of all atoms with a vector,
+    /// which processors do several atoms at a time.
+    atoms: Vec<Vec<f64>>,
     basis: Vec<Column>,
     /// Row-major inverse of the matrix with the basic columns.
     inverse: Vec<f64>,
@@ -84,12 +86,13 @@ impl Gauge {
         };
         let mut inverse = vec![0.0; size * size];
         inverse.iter_mut().step_by(size + 1).for_each(|x| *x = 1.0 / TINY);
-        Gauge { size, complex, atoms: Vec::new(), basis: (0..size).map(column).collect(), inverse }
+        let atoms = vec![Vec::new(); size];
+        Gauge { size, complex, atoms, basis: (0..size).map(column).collect(), inverse }
     }
 
     /// Adds an atom.
     pub fn push(&mut self, atom: &[f64]) {
-        self.atoms.extend_from_slice(atom);
+        self.atoms.iter_mut().zip(atom).for_each(|(all, x)| all.push(*x));
     }
 
     /// Represents `y` with the least total, or until the limits are met.
@@ -188,19 +191,19 @@ impl Gauge {
             }
         };
         if !self.complex {
-            for (k, atom) in self.atoms.chunks_exact(self.size).enumerate() {
-                offer(Atom::Plain(k), Complex::new(dot(dual, atom), 0.0));
+            for (k, price) in products(dual, &self.atoms).into_iter().enumerate() {
+                offer(Atom::Plain(k), Complex::new(price, 0.0));
             }
             return best;
         }
         let (dual_re, dual_im) = dual.split_at(self.size / 2);
-        for (k, atom) in self.atoms.chunks_exact(self.size).enumerate() {
-            let (re, im) = atom.split_at(self.size / 2);
-            let (a, b) = (dot(dual_re, re), dot(dual_im, im));
-            let (c, e) = (dot(dual_re, im), dot(dual_im, re));
+        let (re, im) = self.atoms.split_at(self.size / 2);
+        let (a, b) = (products(dual_re, re), products(dual_im, im));
+        let (c, e) = (products(dual_re, im), products(dual_im, re));
+        for k in 0..a.len() {
             // f(iu) = dual_im · re - dual_re · im; the conjugate has the other sign of im.
-            offer(Atom::Plain(k), Complex::new(a + b, c - e));
-            offer(Atom::Conjugate(k), Complex::new(a - b, -c - e));
+            offer(Atom::Plain(k), Complex::new(a[k] + b[k], c[k] - e[k]));
+            offer(Atom::Conjugate(k), Complex::new(a[k] - b[k], -c[k] - e[k]));
         }
         best
     }
@@ -238,12 +241,11 @@ impl Gauge {
             Atom::Conjugate(k) => (k, -1.0),
             Atom::Tiny => unreachable!("tiny atoms only leave"),
         };
-        let atom = &self.atoms[k * self.size..(k + 1) * self.size];
         if !self.complex {
-            return atom.iter().map(|u| u * factor.re).collect();
+            return self.atoms.iter().map(|u| u[k] * factor.re).collect();
         }
-        let (re, im) = atom.split_at(self.size / 2);
-        let product = |re: &f64, im: &f64| Complex::new(*re, sign * *im) * factor;
+        let (re, im) = self.atoms.split_at(self.size / 2);
+        let product = |re: &Vec<f64>, im: &Vec<f64>| Complex::new(re[k], sign * im[k]) * factor;
         let parts = || re.iter().zip(im).map(|(re, im)| product(re, im));
         parts().map(|z| z.re).chain(parts().map(|z| z.im)).collect()
     }
@@ -272,6 +274,15 @@ impl Gauge {
             self.inverse = inverse.transpose().as_slice().to_vec();
         }
     }
+}
+
+/// The products of a functional with all atoms, given by coordinates.
+fn products(functional: &[f64], atoms: &[Vec<f64>]) -> Vec<f64> {
+    let mut sums = vec![0.0; atoms[0].len()];
+    for (f, coordinate) in functional.iter().zip(atoms) {
+        sums.iter_mut().zip(coordinate).for_each(|(sum, x)| *sum += f * x);
+    }
+    sums
 }
 
 fn norm(y: &[f64]) -> f64 {
