@@ -315,8 +315,9 @@ impl Cover {
             }
             match search.step(&reached, goal, (stride / left).min(1.0)) {
                 Closed::Proved(polytope) => {
-                    // The next step may be longer.
-                    stride = 2.0 * (left - distance(&polytope.inner.0));
+                    // The next step may be longer if this one went as far as it was to.
+                    let taken = left - distance(&polytope.inner.0);
+                    stride = if taken > 0.75 * stride { 2.0 * taken } else { taken };
                     reached = polytope.inner.0.clone();
                     cover.polytopes.push(*polytope);
                 }

@@ -69,7 +69,7 @@ pub(crate) struct Representation {
 /// The length of the tiny atoms, against true ones of about 1.
 const TINY: f64 = 1e-7;
 /// The relative residual beyond which the inverse is computed afresh.
-const ACCURACY: f64 = 1e-13;
+const ACCURACY: f64 = 1e-11;
 /// The accuracy that floats can give.
 pub(crate) const FINEST: f64 = 1e-10;
 

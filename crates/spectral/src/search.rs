@@ -15,8 +15,8 @@ use crate::word::Word;
 
 /// The amounts, in floats, by which images must be inside.
 const MARGINS: [f64; 2] = [1e-5, 1e-7];
-/// The same where growth is less than one.
-const MARGINS_INSIDE: [f64; 2] = [1e-2, 1e-4];
+/// The same where growth is less than one, as parts of what is left: with all of it nothing would close.
+const MARGINS_INSIDE: [f64; 2] = [0.25, 0.025];
 /// The largest numbers of vertices of a polytope, mirror images not counted, tried in turn.
 const MOST_VERTICES: [usize; 2] = [150, 750];
 /// The same for a polytope on a closed interval, of which there may be many.
@@ -25,7 +25,7 @@ const CLOSED_VERTICES: [usize; 3] = [60, 240, 750];
 const LEAST_REACH: f64 = 1e-5;
 /// The lengths of unit vectors inside a polytope, the best first: the fatter it is, the less it minds
 /// that matrices change.
-const FATNESS: [f64; 3] = [0.3, 0.1, 0.01];
+const FATNESS: [f64; 2] = [0.3, 0.01];
 /// The length of words that may show that two ends are too far apart for one polytope.
 const PROBE: usize = 4;
 /// Precisions for a polytope up to an exact end, and for one on a closed interval.
@@ -83,8 +83,8 @@ impl Search<'_> {
         let place = Place { end: certificate_end(end), x1, at_end: &at_end, goal };
         let seeds = self.sowing(&at_end).up_to(end, crossings);
         // A little effort for all of them first.
-        let mut tries = tries(&seeds, &MARGINS, &MOST_VERTICES);
-        tries.find_map(|(seed, effort)| self.reaching(&place, seed, effort, 1.0))
+        tries(&seeds, &MARGINS, &MOST_VERTICES)
+            .find_map(|(seed, effort)| self.reaching(&place, seed, effort, 1.0))
     }
 
     /// A polytope that proves contraction from `from`, inclusive, some way towards `goal`: at most the
@@ -98,10 +98,18 @@ impl Search<'_> {
         }
         let end = End::Rational(Number(from.clone()));
         let place = Place { end, x1, at_end: &at_end, goal };
-        let found = self
-            .inside(&at_end, word, growth)
-            .iter()
-            .find_map(|(seed, effort)| self.reaching(&place, seed, *effort, farthest));
+        let margins = MARGINS_INSIDE.map(|part| spare(growth, part));
+        let sowing = self.sowing(&at_end);
+        let attempt = |seed: &Seed, most: &[usize]| {
+            tries(std::slice::from_ref(seed), &margins, most)
+                .find_map(|(seed, effort)| self.reaching(&place, seed, effort, farthest))
+        };
+        let (few, most) = CLOSED_VERTICES.split_at(2);
+        let alone = sowing.inside(word, growth, room(growth));
+        let company = || sowing.inside_with_company(word, growth, room(growth));
+        let found = (alone.iter().find_map(|seed| attempt(seed, few)))
+            .or_else(|| company().iter().find_map(|seed| attempt(seed, few)))
+            .or_else(|| alone.iter().find_map(|seed| attempt(seed, most)));
         found.map_or(Closed::Nothing, |found| Closed::Proved(Box::new(found)))
     }
 
@@ -170,10 +178,9 @@ impl Search<'_> {
         }
         let end = End::Rational(Number(fast.clone()));
         let room = room(growth);
-        let mut seeds = self.sowing(at_fast).inside(word, growth, room);
-        if a != b && self.kind == certificate::Pencil::Parameter {
-            seeds.truncate(1);
-        }
+        let sowing = self.sowing(at_fast);
+        let mut seeds = sowing.inside(word, growth, room);
+        seeds.extend(sowing.inside_with_company(word, growth, room));
         let found = tries(&seeds, &[room], &CLOSED_VERTICES).find_map(|(seed, effort)| {
             let (_, body) = self.fattest(&ends, seed, effort)?;
             self.write(&body, None, slow, end.clone(), &ends)
@@ -183,16 +190,6 @@ impl Search<'_> {
 
     fn sowing<'a>(&'a self, matrices: &'a [DMatrix<f64>]) -> Sowing<'a> {
         Sowing { mirrored: self.pencil.is_mirrored(), words: self.words, matrices }
-    }
-
-    /// Seeds where growth is less than one, each with all margins that are worth trying.
-    fn inside(&self, matrices: &[DMatrix<f64>], word: &Word, growth: f64) -> Vec<(Seed, Effort)> {
-        let room = room(growth);
-        let mut margins: Vec<f64> = MARGINS_INSIDE.iter().map(|m| m.max(room)).collect();
-        margins.push(room);
-        margins.dedup();
-        let seeds = self.sowing(matrices).inside(word, growth, room);
-        tries(&seeds, &margins, &CLOSED_VERTICES).map(|(seed, e)| (seed.clone(), e)).collect()
     }
 
     /// Whether some product of matrices from both ends grows: then no polytope serves both.
@@ -232,7 +229,12 @@ impl Search<'_> {
 
 /// By how much an orbit that grows by less than one is to be inside.
 fn room(growth: f64) -> f64 {
-    (0.1 * (1.0 - growth)).clamp(1e-11, 1e-2)
+    spare(growth, 0.1)
+}
+
+/// This part of what is left between the growth and one.
+fn spare(growth: f64, part: f64) -> f64 {
+    (part * (1.0 - growth)).clamp(1e-11, 1e-2)
 }
 
 /// All seeds with all margins, with a little effort first.

@@ -88,25 +88,35 @@ impl Sowing<'_> {
         seeds
     }
 
-    /// For a place where the fastest word grows by less than one; `room` is by how much its orbit is
-    /// to be inside.
+    /// For a place where the fastest word grows by less than one: the orbit of its eigenvector alone;
+    /// `room` is by how much it is to be inside.
     pub fn inside(&self, word: &Word, growth: f64, room: f64) -> Vec<Seed> {
-        let matrix = product(self.matrices, word);
-        let leading = eigenvalues(&matrix).first().copied();
-        let Some(vector) = leading.and_then(|z| eigenvector(&matrix, z)) else {
-            return Vec::new();
-        };
-        let closing = Closing::Inside(room);
-        let mut seeds = Vec::new();
-        if vector.len() > matrix.nrows() && growth < REAL {
-            // There is room for a polygon in place of the disc in which the vector turns.
-            let parts = vector.chunks_exact(matrix.nrows()).map(|part| Start::Free(part.to_vec()));
-            let shape = Shape { mirrored: self.mirrored, complex: false, closing };
-            seeds.push(Seed { shape, starts: parts.collect() });
+        let Some(orbit) = self.orbit(word, growth) else { return Vec::new() };
+        let d = self.matrices[0].nrows();
+        let shape =
+            Shape { mirrored: self.mirrored, complex: false, closing: Closing::Inside(room) };
+        if orbit.vector().len() == d {
+            return vec![Seed { shape, starts: vec![orbit] }];
         }
-        let orbit = Start::Orbit { word: word.clone(), growth, vector };
-        seeds.extend(self.seeds(closing, &[orbit], &self.rivals(growth, true)));
-        seeds
+        let parts = orbit.vector().chunks_exact(d).map(|part| Start::Free(part.to_vec()));
+        // If there is room, a polygon in place of the disc in which the vector turns.
+        let polygon = (growth < REAL).then(|| Seed { shape, starts: parts.collect() });
+        let disc = Seed { shape: Shape { complex: true, ..shape }, starts: vec![orbit] };
+        polygon.into_iter().chain([disc]).collect()
+    }
+
+    /// The same with company.
+    pub fn inside_with_company(&self, word: &Word, growth: f64, room: f64) -> Vec<Seed> {
+        let orbit: Vec<Start> = self.orbit(word, growth).into_iter().collect();
+        self.seeds(Closing::Inside(room), &orbit, &self.rivals(growth, true))
+    }
+
+    /// The leading eigenvector of a word.
+    fn orbit(&self, word: &Word, growth: f64) -> Option<Start> {
+        let matrix = product(self.matrices, word);
+        let leading = eigenvalues(&matrix).first().copied()?;
+        let vector = eigenvector(&matrix, leading)?;
+        Some(Start::Orbit { word: word.clone(), growth, vector })
     }
 
     /// Leading eigenvectors of short words that grow nearly as fast; complex ones too if that is
