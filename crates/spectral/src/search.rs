@@ -15,8 +15,9 @@ use crate::word::Word;
 
 /// The amounts, in floats, by which images must be inside.
 const MARGINS: [f64; 2] = [1e-5, 1e-7];
-/// The same where growth is less than one, as parts of what is left: with all of it nothing would close.
-const MARGINS_INSIDE: [f64; 2] = [0.25, 0.025];
+/// The same where growth is less than one: a part of what is left, since with all of it nothing would
+/// close, but no less than so much, since only the leading orbit need be so near the boundary.
+const MARGINS_INSIDE: [(f64, f64); 2] = [(0.25, 1e-3), (0.025, 1e-5)];
 /// The largest numbers of vertices of a polytope, mirror images not counted, tried in turn.
 const MOST_VERTICES: [usize; 2] = [150, 750];
 /// The same for a polytope on a closed interval, of which there may be many.
@@ -98,7 +99,7 @@ impl Search<'_> {
         }
         let end = End::Rational(Number(from.clone()));
         let place = Place { end, x1, at_end: &at_end, goal };
-        let margins = MARGINS_INSIDE.map(|part| spare(growth, part));
+        let margins = MARGINS_INSIDE.map(|(part, least)| spare(growth, part).max(least));
         let sowing = self.sowing(&at_end);
         let attempt = |seed: &Seed, most: &[usize]| {
             tries(std::slice::from_ref(seed), &margins, most)
