@@ -9,7 +9,7 @@ use crate::float::{approximate, approximate_root, short_dyadic};
 use crate::leading::fastest;
 use crate::pencil::Pencil;
 use crate::rough::{Product, rough_set, sign_set};
-use crate::search::{Closed, Crossing, Search, certificate_end, real_algebraic};
+use crate::search::{Crossing, Outcome, Search, certificate_end, real_algebraic};
 use crate::word::Word;
 
 /// What is wanted of a division.
@@ -106,8 +106,8 @@ pub fn decide(
     }
     let search = Search { pencil, kind: certificate::Pencil::Parameter, words: &words, accept };
     match search.closed(point, point) {
-        Closed::Proved(polytope) => Constant::Contracting(polytope),
-        Closed::Faster(_) | Closed::Nothing => Constant::Undecided,
+        Outcome::Proved(polytope, _) => Constant::Contracting(polytope),
+        Outcome::Faster(_) | Outcome::Nothing => Constant::Undecided,
     }
 }
 
@@ -308,24 +308,26 @@ impl Cover {
         let distance = |from: &Rational| approximate(&(goal - from)).abs();
         let mut reached = from.clone();
         let mut stride = distance(from);
+        let mut last = None;
         for _ in 0..MOST_STEPS {
             let left = distance(&reached);
             if left == 0.0 {
                 break;
             }
-            match search.step(&reached, goal, (stride / left).min(1.0)) {
-                Closed::Proved(polytope) => {
+            match search.step(&reached, goal, (stride / left).min(1.0), last) {
+                Outcome::Proved(polytope, recipe) => {
+                    last = Some(recipe);
                     // The next step may be longer if this one went as far as it was to.
                     let taken = left - distance(&polytope.inner.0);
                     stride = if taken > 0.75 * stride { 2.0 * taken } else { taken };
                     reached = polytope.inner.0.clone();
                     cover.polytopes.push(*polytope);
                 }
-                Closed::Faster(word) => {
+                Outcome::Faster(word) => {
                     cover.faster.push(word);
                     break;
                 }
-                Closed::Nothing => break,
+                Outcome::Nothing => break,
             }
         }
         cover

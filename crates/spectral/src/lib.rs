@@ -10,6 +10,7 @@
 //! | `body` | growing a polytope that all matrices map into itself, in floats |
 //! | `rounding`, `writing` | from floats to the integers of a certificate |
 //! | `seed` | what a polytope begins with |
+//! | `recipe` | in which ways it is grown where every word shrinks |
 //! | `search` | polytopes on closed intervals and up to exact ends |
 //! | `division` | [`divide`]: the line, divided at radius one; [`decide`] at a single value |
 //! | `radius` | [`radius()`](radius()): the radius of one set of matrices |
@@ -25,6 +26,7 @@ mod gauge;
 mod leading;
 mod pencil;
 mod radius;
+mod recipe;
 mod rough;
 mod rounding;
 mod schur;

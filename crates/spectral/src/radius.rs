@@ -9,7 +9,7 @@ use crate::float::{approximate_root, dyadic};
 use crate::leading::{fastest, growth};
 use crate::pencil::Pencil;
 use crate::rough::{Product, rough_set, sign_set};
-use crate::search::{Closed, Crossing, Search, certificate_end};
+use crate::search::{Crossing, Outcome, Search, certificate_end};
 use crate::word::Word;
 
 /// Bounds `from ≤ 1/ρ ≤ to` for the joint spectral radius `ρ` of a set of matrices.
@@ -87,7 +87,7 @@ fn bracket(search: &Search, word: &Word, to: &RealAlgebraic, upper: Lemma) -> Op
     let zero = Rational::from_integer(0.into());
     WIDTHS.iter().find_map(|width| {
         let from = dyadic(approximate_root(to) * (1.0 - width), 50);
-        let Closed::Proved(polytope) = search.closed(&zero, &from) else { return None };
+        let Outcome::Proved(polytope, _) = search.closed(&zero, &from) else { return None };
         Some(Radius {
             word: word.clone(),
             from: from.into(),

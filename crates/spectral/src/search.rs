@@ -9,24 +9,17 @@ use crate::body::{Body, Closing, Effort, Ends};
 use crate::float::{approximate, approximate_root, dyadic, short_dyadic};
 use crate::leading::{fastest, growth};
 use crate::pencil::Pencil;
+use crate::recipe::{Company, FATNESS, Recipe};
 use crate::rounding::{Precision, Span, polytope};
 use crate::seed::{Seed, Sowing};
 use crate::word::Word;
 
 /// The amounts, in floats, by which images must be inside.
 const MARGINS: [f64; 2] = [1e-5, 1e-7];
-/// The same where growth is less than one: a part of what is left, since with all of it nothing would
-/// close, but no less than so much, since only the leading orbit need be so near the boundary.
-const MARGINS_INSIDE: [(f64, f64); 2] = [(0.25, 1e-3), (0.025, 1e-5)];
 /// The largest numbers of vertices of a polytope, mirror images not counted, tried in turn.
 const MOST_VERTICES: [usize; 2] = [150, 750];
-/// The same for a polytope on a closed interval, of which there may be many.
-const CLOSED_VERTICES: [usize; 3] = [60, 240, 750];
 /// Below which part of the way a step is not worth while.
 const LEAST_REACH: f64 = 1e-5;
-/// The lengths of unit vectors inside a polytope, the best first: the fatter it is, the less it minds
-/// that matrices change.
-const FATNESS: [f64; 2] = [0.3, 0.01];
 /// The length of words that may show that two ends are too far apart for one polytope.
 const PROBE: usize = 4;
 /// Precisions for a polytope up to an exact end, and for one on a closed interval.
@@ -59,11 +52,11 @@ pub(crate) struct Search<'a> {
     pub accept: &'a (dyn Fn(&Polytope) -> bool + Sync),
 }
 
-/// The outcome of a search on a closed interval.
-pub(crate) enum Closed {
-    /// It is proved.
-    Proved(Box<Polytope>),
-    /// A word grows somewhere in it.
+/// The outcome of a search where no word is known to grow.
+pub(crate) enum Outcome {
+    /// It is proved; and how the polytope was grown.
+    Proved(Box<Polytope>, Recipe),
+    /// A word grows there after all.
     Faster(Word),
     /// The effort did not suffice.
     Nothing,
@@ -84,34 +77,51 @@ impl Search<'_> {
         let place = Place { end: certificate_end(end), x1, at_end: &at_end, goal };
         let seeds = self.sowing(&at_end).up_to(end, crossings);
         // A little effort for all of them first.
-        tries(&seeds, &MARGINS, &MOST_VERTICES)
-            .find_map(|(seed, effort)| self.reaching(&place, seed, effort, 1.0))
+        tries(&seeds).find_map(|(seed, effort)| self.reaching(&place, &seed, effort, 1.0))
     }
 
     /// A polytope that proves contraction from `from`, inclusive, some way towards `goal`: at most the
-    /// part `farthest` of it.
-    pub fn step(&self, from: &Rational, goal: &Rational, farthest: f64) -> Closed {
-        let x1 = approximate(from);
-        let at_end = self.pencil.rounded_at(x1);
-        let (word, growth) = fastest(&at_end, self.words);
+    /// part `farthest` of it. The recipe that served last time is tried first.
+    pub fn step(
+        &self,
+        from: &Rational,
+        goal: &Rational,
+        farthest: f64,
+        last: Option<Recipe>,
+    ) -> Outcome {
+        let at_end = self.pencil.rounded_at(approximate(from));
+        let place = Place::rational(from, &at_end, goal);
+        self.inside(&at_end, last, |seed, effort| self.reaching(&place, seed, effort, farthest))
+    }
+
+    /// A polytope that proves contraction on the closed interval `[a, b]`, with `ρ(a) ≤ ρ(b)`.
+    pub fn closed(&self, a: &Rational, b: &Rational) -> Outcome {
+        let at_b = self.pencil.rounded_at(approximate(b));
+        let place = Place::rational(b, &at_b, a);
+        self.inside(&at_b, None, |seed, effort| self.holding(&place, 1.0, seed, effort))
+    }
+
+    /// The first recipe that does, with the word that grows fastest and less than one.
+    fn inside(
+        &self,
+        matrices: &[DMatrix<f64>],
+        last: Option<Recipe>,
+        attempt: impl Fn(&Seed, Effort) -> Option<Polytope>,
+    ) -> Outcome {
+        let (word, growth) = fastest(matrices, self.words);
         if growth >= 1.0 {
-            return Closed::Faster(word.clone());
+            return Outcome::Faster(word.clone());
         }
-        let end = End::Rational(Number(from.clone()));
-        let place = Place { end, x1, at_end: &at_end, goal };
-        let margins = MARGINS_INSIDE.map(|(part, least)| spare(growth, part).max(least));
-        let sowing = self.sowing(&at_end);
-        let attempt = |seed: &Seed, most: &[usize]| {
-            tries(std::slice::from_ref(seed), &margins, most)
-                .find_map(|(seed, effort)| self.reaching(&place, seed, effort, farthest))
-        };
-        let (few, most) = CLOSED_VERTICES.split_at(2);
-        let alone = sowing.inside(word, growth, room(growth));
-        let company = || sowing.inside_with_company(word, growth, room(growth));
-        let found = (alone.iter().find_map(|seed| attempt(seed, few)))
-            .or_else(|| company().iter().find_map(|seed| attempt(seed, few)))
-            .or_else(|| alone.iter().find_map(|seed| attempt(seed, most)));
-        found.map_or(Closed::Nothing, |found| Closed::Proved(Box::new(found)))
+        let seeds = self.sowing(matrices).inside(word, growth);
+        // Where there is room for a polygon it comes first: it holds still.
+        let last = last.filter(|_| seeds.seed(Company::Polygon).is_none());
+        let found = last.into_iter().chain(Recipe::all()).find_map(|recipe| {
+            let seed = seeds.seed(recipe.company)?.fattened(recipe.fatness);
+            Some((attempt(&seed, recipe.effort(growth))?, recipe))
+        });
+        found.map_or(Outcome::Nothing, |(polytope, recipe)| {
+            Outcome::Proved(Box::new(polytope), recipe)
+        })
     }
 
     /// A polytope from a place as far towards its goal as it will go, at most the part `farthest`.
@@ -124,17 +134,17 @@ impl Search<'_> {
     ) -> Option<Polytope> {
         // What the end alone needs tells what to spend on both ends.
         let alone = Ends { inner: &[], end: place.at_end };
-        let (seed, body) = self.fattest(&alone, seed, effort)?;
+        let body = Body::grow(&alone, seed.shape, &seed.starts, effort)?;
         let vertices = (2 * body.vertices.len() + 50).max(240);
         let effort = Effort { vertices, ..effort };
         if self.kind == certificate::Pencil::Scale {
             // At scale zero all images are zero: one polytope does for all scales.
-            return self.holding(place, 1.0, &seed, effort);
+            return self.holding(place, 1.0, seed, effort);
         }
         let reaches = std::iter::successors(Some(farthest), |reach| Some(0.5 * reach));
         reaches.take_while(|reach| *reach > LEAST_REACH).find_map(|reach| {
             // A complex vector turns with the parameter: its polytope has to move.
-            let still = (!seed.shape.complex).then(|| self.holding(place, reach, &seed, effort));
+            let still = (!seed.shape.complex).then(|| self.holding(place, reach, seed, effort));
             still.flatten().or_else(|| self.moving(place, reach, &body))
         })
     }
@@ -156,37 +166,6 @@ impl Search<'_> {
         let ends = Ends { inner: &at_inner, end: place.at_end };
         let (body, moved) = body.moving(&ends, reach)?;
         self.write(&body, Some(&moved), &inner, place.end.clone(), &ends)
-    }
-
-    /// A polytope that proves contraction on the closed interval `[a, b]`.
-    pub fn closed(&self, a: &Rational, b: &Rational) -> Closed {
-        let at_a = self.pencil.rounded_at(approximate(a));
-        let at_b = self.pencil.rounded_at(approximate(b));
-        let (word_a, growth_a) = fastest(&at_a, self.words);
-        let (word_b, growth_b) = fastest(&at_b, self.words);
-        // Grown where growth is fastest; the images at the other end are then mostly inside.
-        let ((slow, at_slow), (fast, at_fast), word, growth) = if growth_a > growth_b {
-            ((b, &at_b), (a, &at_a), word_a, growth_a)
-        } else {
-            ((a, &at_a), (b, &at_b), word_b, growth_b)
-        };
-        if growth >= 1.0 {
-            return Closed::Faster(word.clone());
-        }
-        let ends = Ends { inner: at_slow, end: at_fast };
-        if self.too_far_apart(&ends) {
-            return Closed::Nothing;
-        }
-        let end = End::Rational(Number(fast.clone()));
-        let room = room(growth);
-        let sowing = self.sowing(at_fast);
-        let mut seeds = sowing.inside(word, growth, room);
-        seeds.extend(sowing.inside_with_company(word, growth, room));
-        let found = tries(&seeds, &[room], &CLOSED_VERTICES).find_map(|(seed, effort)| {
-            let (_, body) = self.fattest(&ends, seed, effort)?;
-            self.write(&body, None, slow, end.clone(), &ends)
-        });
-        found.map_or(Closed::Nothing, |found| Closed::Proved(Box::new(found)))
     }
 
     fn sowing<'a>(&'a self, matrices: &'a [DMatrix<f64>]) -> Sowing<'a> {
@@ -216,37 +195,16 @@ impl Search<'_> {
             .filter_map(|&precision| polytope(body, moved, &span, precision))
             .find(|found| (self.accept)(found))
     }
+}
 
-    /// A body that is as fat as this effort allows, and the seed from which it has grown: with short
-    /// unit vectors.
-    fn fattest(&self, ends: &Ends, seed: &Seed, effort: Effort) -> Option<(Seed, Body)> {
-        FATNESS.iter().find_map(|&length| {
-            let seed = seed.fattened(length);
-            let body = Body::grow(ends, seed.shape, &seed.starts, effort)?;
-            Some((seed, body))
+/// All seeds in all ways up to an exact end, with a little effort first.
+fn tries(seeds: &[Seed]) -> impl Iterator<Item = (Seed, Effort)> {
+    MOST_VERTICES.into_iter().flat_map(move |vertices| {
+        let efforts = MARGINS.map(|margin| Effort { margin, vertices });
+        seeds.iter().flat_map(move |seed| {
+            let fattened = move |effort| FATNESS.map(|fatness| (seed.fattened(fatness), effort));
+            efforts.into_iter().flat_map(fattened)
         })
-    }
-}
-
-/// By how much an orbit that grows by less than one is to be inside.
-fn room(growth: f64) -> f64 {
-    spare(growth, 0.1)
-}
-
-/// This part of what is left between the growth and one.
-fn spare(growth: f64, part: f64) -> f64 {
-    (part * (1.0 - growth)).clamp(1e-11, 1e-2)
-}
-
-/// All seeds with all margins, with a little effort first.
-fn tries<'a>(
-    seeds: &'a [Seed],
-    margins: &'a [f64],
-    vertices: &'a [usize],
-) -> impl Iterator<Item = (&'a Seed, Effort)> {
-    vertices.iter().flat_map(move |&vertices| {
-        let efforts = move || margins.iter().map(move |&margin| Effort { margin, vertices });
-        seeds.iter().flat_map(move |seed| efforts().map(move |effort| (seed, effort)))
     })
 }
 
@@ -258,7 +216,13 @@ struct Place<'a> {
     goal: &'a Rational,
 }
 
-impl Place<'_> {
+impl<'a> Place<'a> {
+    /// An interval that ends at a rational number.
+    fn rational(x1: &Rational, at_end: &'a [DMatrix<f64>], goal: &'a Rational) -> Self {
+        let end = End::Rational(Number(x1.clone()));
+        Place { end, x1: approximate(x1), at_end, goal }
+    }
+
     /// A short number about this part of the way to the goal.
     fn inner(&self, reach: f64) -> Rational {
         if reach == 1.0 {

@@ -1,11 +1,14 @@
 //! What a polytope begins with: leading eigenvectors, and what may keep them company.
 
+use std::cell::OnceCell;
+
 use nalgebra::DMatrix;
 use refinable_reals::RealAlgebraic;
 
 use crate::body::{Body, Closing, Effort, Ends, Shape, Start, padded};
 use crate::gauge::Limits;
 use crate::leading::{eigenvalues, eigenvector, fixed_vector, is_complex, product};
+use crate::recipe::{Company, LENGTHS, room};
 use crate::search::Crossing;
 use crate::word::Word;
 
@@ -19,9 +22,7 @@ const RIVAL_LENGTH: usize = 4;
 const MOST_RIVALS: usize = 2;
 /// How many leading words are told apart.
 const MOST_ORBITS: usize = 4;
-/// Lengths of the company.
-const LENGTHS: [f64; 6] = [1.0, 0.5, 2.0, 0.25, 4.0, 0.1];
-/// The same where all images are vertices, which stay short.
+/// Lengths of the company where all images are vertices, which stay short.
 const VERTEX_LENGTHS: [f64; 4] = [0.875, 0.9375, 0.8125, 1.0];
 /// How far outside a rival is, without which it would be of no use, and with which the leading
 /// vector is not inside.
@@ -51,6 +52,43 @@ impl Seed {
     }
 }
 
+/// Seeds for a place where every word shrinks.
+pub(crate) struct Inside<'a> {
+    sowing: Sowing<'a>,
+    /// The leading vector with its orbit.
+    orbit: Option<Start>,
+    growth: f64,
+    /// Much work, and mostly not needed.
+    accompanied: OnceCell<Vec<Seed>>,
+}
+
+impl Inside<'_> {
+    /// The seed with this company, if there is one.
+    pub fn seed(&self, company: Company) -> Option<Seed> {
+        let orbit = self.orbit.as_ref()?;
+        let d = self.sowing.matrices[0].nrows();
+        let complex = orbit.vector().len() > d;
+        let closing = Closing::Inside(room(self.growth));
+        let shape = Shape { mirrored: self.sowing.mirrored, complex, closing };
+        match company {
+            Company::Polygon if complex && self.growth < REAL => {
+                let parts = orbit.vector().chunks_exact(d);
+                let starts = parts.map(|part| Start::Free(part.to_vec())).collect();
+                Some(Seed { shape: Shape { complex: false, ..shape }, starts })
+            }
+            Company::Polygon => None,
+            Company::Alone => Some(Seed { shape, starts: vec![orbit.clone()] }),
+            Company::Length(length) => {
+                let k = LENGTHS.iter().position(|l| *l == length)?;
+                let rivals = || self.sowing.rivals(self.growth, true);
+                let all = || self.sowing.seeds(closing, std::slice::from_ref(orbit), &rivals());
+                // The first is alone.
+                self.accompanied.get_or_init(all).get(k + 1).cloned()
+            }
+        }
+    }
+}
+
 /// Where seeds are sought.
 #[derive(Clone, Copy)]
 pub(crate) struct Sowing<'a> {
@@ -59,7 +97,7 @@ pub(crate) struct Sowing<'a> {
     pub matrices: &'a [DMatrix<f64>],
 }
 
-impl Sowing<'_> {
+impl<'a> Sowing<'a> {
     /// For an end at which words reach one: orbits of their eigenvectors, and if it is rational
     /// eigenvectors whose images may be vertices. In the order of what is likely to do.
     pub fn up_to(&self, end: &RealAlgebraic, crossings: &[Crossing]) -> Vec<Seed> {
@@ -88,27 +126,14 @@ impl Sowing<'_> {
         seeds
     }
 
-    /// For a place where the fastest word grows by less than one: the orbit of its eigenvector alone;
-    /// `room` is by how much it is to be inside.
-    pub fn inside(&self, word: &Word, growth: f64, room: f64) -> Vec<Seed> {
-        let Some(orbit) = self.orbit(word, growth) else { return Vec::new() };
-        let d = self.matrices[0].nrows();
-        let shape =
-            Shape { mirrored: self.mirrored, complex: false, closing: Closing::Inside(room) };
-        if orbit.vector().len() == d {
-            return vec![Seed { shape, starts: vec![orbit] }];
+    /// For a place where the fastest word grows by less than one.
+    pub fn inside(self, word: &Word, growth: f64) -> Inside<'a> {
+        Inside {
+            sowing: self,
+            orbit: self.orbit(word, growth),
+            growth,
+            accompanied: OnceCell::new(),
         }
-        let parts = orbit.vector().chunks_exact(d).map(|part| Start::Free(part.to_vec()));
-        // If there is room, a polygon in place of the disc in which the vector turns.
-        let polygon = (growth < REAL).then(|| Seed { shape, starts: parts.collect() });
-        let disc = Seed { shape: Shape { complex: true, ..shape }, starts: vec![orbit] };
-        polygon.into_iter().chain([disc]).collect()
-    }
-
-    /// The same with company.
-    pub fn inside_with_company(&self, word: &Word, growth: f64, room: f64) -> Vec<Seed> {
-        let orbit: Vec<Start> = self.orbit(word, growth).into_iter().collect();
-        self.seeds(Closing::Inside(room), &orbit, &self.rivals(growth, true))
     }
 
     /// The leading eigenvector of a word.
