@@ -51,6 +51,9 @@ impl ExactForm {
             return ExactForm::Rational(x.clone());
         }
         let (polynomial, roots) = without_rational_roots(square_free);
+        if polynomial.surely_has_no_factor_up_to(2) {
+            return ExactForm::root(polynomial, &roots, &x);
+        }
         let mut others = roots.iter().filter(|other| **other != x);
         match others.find_map(|other| quadratic_factor(&polynomial, &x, other)) {
             Some(factor) => ExactForm::Radical(radical(&factor, &x)),

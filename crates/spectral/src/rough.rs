@@ -42,9 +42,9 @@ impl Product {
         match &self.root {
             // 1 - λ² = (1 - λ)(1 + λ)
             Some((root, factor)) if sign > 0 => {
-                [1, -1].map(|sign| determinant(root, factor, sign)).to_vec()
+                [1, -1].iter().flat_map(|&sign| determinant(root, factor, sign)).collect()
             }
-            _ => vec![determinant(&self.matrix, &self.factor, sign)],
+            _ => determinant(&self.matrix, &self.factor, sign),
         }
     }
 
@@ -56,19 +56,60 @@ impl Product {
     }
 }
 
-/// `det(factor I - sign M)`.
+/// Polynomials whose product is `det(factor I - sign M)`.
 fn determinant(
     matrix: &Matrix<Polynomial<Integer>>,
     factor: &Integer,
     sign: i32,
-) -> Polynomial<Integer> {
+) -> Vec<Polynomial<Integer>> {
     let (d, _) = matrix.shape();
     let shifted = Matrix::from_fn(d, d, |i, j| {
         let entry = matrix.entry(i, j);
         let entry = if sign > 0 { entry.negated() } else { entry.clone() };
         if i == j { entry.plus(&Polynomial::constant(factor.clone())) } else { entry }
     });
-    shifted.determinant()
+    determinant_factors(&shifted)
+}
+
+/// Polynomials whose product is the determinant: diagonal entries beside which a first or last row or
+/// column is zero, and two factors of what is left if it is equal to its half turn.
+///
+/// A symmetric mask has such matrices: `A_0` and `A_1` share all but one row and column, and its
+/// half turn exchanges them.
+fn determinant_factors(matrix: &Matrix<Polynomial<Integer>>) -> Vec<Polynomial<Integer>> {
+    let mut factors = Vec::new();
+    let (mut from, mut to) = (0, matrix.shape().0);
+    let is_alone = |k: usize, from: usize, to: usize| {
+        let others = || (from..to).filter(move |&i| i != k);
+        others().all(|i| matrix.entry(i, k).is_zero())
+            || others().all(|i| matrix.entry(k, i).is_zero())
+    };
+    loop {
+        if from < to && is_alone(from, from, to) {
+            factors.push(matrix.entry(from, from).clone());
+            from += 1;
+        } else if from < to && is_alone(to - 1, from, to) {
+            factors.push(matrix.entry(to - 1, to - 1).clone());
+            to -= 1;
+        } else {
+            break;
+        }
+    }
+    let n = to - from;
+    let entry = |i: usize, j: usize| matrix.entry(from + i, from + j);
+    let turned = (0..n).all(|i| (0..n).all(|j| entry(i, j) == entry(n - 1 - i, n - 1 - j)));
+    if n > 1 && turned {
+        // On vectors that are, up to the sign, the same read backwards.
+        let even = Matrix::from_fn(n.div_ceil(2), n.div_ceil(2), |i, j| {
+            let mirror = n - 1 - j;
+            if mirror == j { entry(i, j).clone() } else { entry(i, j).plus(entry(i, mirror)) }
+        });
+        let odd = Matrix::from_fn(n / 2, n / 2, |i, j| entry(i, j).minus(entry(i, n - 1 - j)));
+        factors.extend([even.determinant(), odd.determinant()]);
+    } else if n > 0 {
+        factors.push(Matrix::from_fn(n, n, |i, j| entry(i, j).clone()).determinant());
+    }
+    factors
 }
 
 /// Whether `B_{m-1-ε} = J B_ε J`.
@@ -143,7 +184,7 @@ fn union_of_gaps(cuts: &[RealAlgebraic], holds: impl Fn(&Rational) -> bool) -> R
 mod tests {
     use super::*;
     use crate::pencil::Pencil;
-    use refinable_algebra::rational;
+    use refinable_algebra::{integer, rational};
 
     /// `[[0, -x], [x, 0]]`: a complex pair of modulus |x|, invisible to the signs of determinants.
     #[test]
@@ -155,6 +196,33 @@ mod tests {
         let product = Product::new(&pencil.cleared(), word);
         assert!(sign_set(&product).region.is_empty());
         assert_eq!(rough_set(&product).display("x"), "(-∞, -1] ∪ [1, ∞)");
+    }
+
+    /// Any matrix, and one that is equal to its half turn with a row or column of zeros around it.
+    #[test]
+    fn factors_of_a_determinant() {
+        let x = |c: i64| Polynomial::new(vec![integer(c), integer(c * c % 7 - 3)]);
+        for n in 1..7 {
+            let plain = Matrix::from_fn(n, n, |i, j| x((3 * i * i + 5 * j + i * j) as i64 % 11));
+            let turned = Matrix::from_fn(n, n, |i, j| {
+                plain.entry(i, j).plus(plain.entry(n - 1 - i, n - 1 - j))
+            });
+            let framed = Matrix::from_fn(n + 2, n + 2, |i, j| match (i, j) {
+                (i, j) if (1..=n).contains(&i) && (1..=n).contains(&j) => {
+                    turned.entry(i - 1, j - 1).clone()
+                }
+                (0, j) if j > 0 => Polynomial::zero(),
+                (i, j) if i != j && j == n + 1 => Polynomial::zero(),
+                (i, j) => x((i + 2 * j) as i64),
+            });
+            for (matrix, parts) in [(plain, 1), (turned, 2), (framed, 4)] {
+                let factors = determinant_factors(&matrix);
+                assert!(factors.len() >= if n == 1 { 1 } else { parts });
+                let one = Polynomial::constant(integer(1));
+                let product = factors.iter().fold(one, |product, f| product.times(f));
+                assert_eq!(product, matrix.determinant(), "{n}");
+            }
+        }
     }
 
     #[test]
