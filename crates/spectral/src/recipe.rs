@@ -4,7 +4,7 @@ use crate::body::Effort;
 
 /// The lengths of unit vectors inside a polytope, the best first: the fatter it is, the less it minds
 /// that matrices change.
-pub(crate) const FATNESS: [f64; 2] = [0.3, 0.01];
+pub(crate) const FATNESS: [f64; 3] = [1.0, 0.1, 0.01];
 /// By how much images must be inside: a part of what is left between growth and one, since with all
 /// of it nothing would close, but no less than so much, since only the leading orbit need be so near
 /// the boundary.
