@@ -3,7 +3,7 @@
 use refinable_algebra::decimal;
 use refinable_analysis::{ContinuityRange, PointVerdict, Sharpness, continuity_range, region_of};
 use refinable_certificate::{Certificate, Conclusion, Lemma};
-use refinable_reals::{ExactForm, Interval, RealAlgebraic, Region};
+use refinable_reals::{ExactForm, Interval, Region};
 use refinable_scheme::{Diagnostic, Scheme};
 use serde_json::{Value, json};
 
@@ -88,6 +88,7 @@ fn json_of(scheme: &Scheme, range: &ContinuityRange) -> Value {
         "points": points,
         "exact": range.is_exact(),
         "words": words(&range.certificate),
+        "undecided_because": undecided_because(range),
     })
 }
 
@@ -116,21 +117,38 @@ fn remarks(range: &ContinuityRange) -> Vec<String> {
             words.join(", ")
         ));
     }
-    let unstable: Vec<&RealAlgebraic> = range
-        .points
-        .iter()
-        .filter(|(_, verdict)| *verdict == PointVerdict::Unstable)
-        .map(|(t, _)| t)
-        .collect();
-    if !unstable.is_empty() {
-        remarks.push(
-            "undecided values: the difference scheme is not contractive, but the shifts of the basic \
-             limit function are not stable there"
-                .into(),
-        );
-    }
+    remarks.extend(undecided_because(range));
     remarks.push(format!("proof checked: {}", proof_text(&range.certificate)));
     remarks
+}
+
+/// Why something is left undecided, if it is.
+fn undecided_because(range: &ContinuityRange) -> Vec<String> {
+    let mut reasons = Vec::new();
+    if range.points.iter().any(|(_, verdict)| *verdict == PointVerdict::Unstable) {
+        reasons.push(
+            "undecided values: the difference scheme is not contractive, but the shifts of the basic \
+             limit function are not stable there",
+        );
+    }
+    let has = |kind: fn(&Lemma) -> bool| range.certificate.lemmas.iter().any(kind);
+    let refuting = has(|l| matches!(l, Lemma::Word { .. } | Lemma::Indivisible { .. }));
+    if !range.is_exact()
+        && range.continuity > 0
+        && refuting
+        && !has(|l| matches!(l, Lemma::Stable { .. }))
+    {
+        reasons.push(
+            "undecided intervals: where contraction fails nothing is refuted, because it is not known \
+             that the shifts of the basic limit function are stable",
+        );
+    } else if !range.is_exact() {
+        reasons.push(
+            "undecided intervals: no proof was found there; a narrow gap is left at an end at \
+             which a complex pair of eigenvalues leads",
+        );
+    }
+    reasons.into_iter().map(String::from).collect()
 }
 
 /// `2 polytopes, 1 norm, 3 word intervals, …`.
