@@ -6,7 +6,9 @@ use refinable_certificate::{
     verify,
 };
 use refinable_reals::{Bound, RealAlgebraic, Region, common_roots};
-use refinable_spectral::{Constant, Division, certificate_end, decide, divide};
+use refinable_spectral::{
+    Constant, Division, certificate_end, decide, divide, expanding, real_algebraic,
+};
 
 use crate::continuity::{PointVerdict, Sharpness};
 use crate::contractivity::{Work, level_sets};
@@ -109,26 +111,46 @@ impl<'a> Proof<'a> {
     }
 
     /// Refutes only where the shifts are stable: C^n with `n ≥ 1` does not follow the joint
-    /// spectral radius elsewhere.
+    /// spectral radius elsewhere. There a reduced mask may decide, or that the scheme diverges.
     fn restrict_to_stable(&mut self) {
         if self.continuity == 0 || self.refuted.is_empty() {
             return;
         }
         let Instability::At(exceptions) = instability(self.line) else {
-            self.refuted = Region::empty();
+            let doubtful = std::mem::replace(&mut self.refuted, Region::empty());
+            self.refute_divergent(&doubtful);
             return;
         };
-        let doubtful: Vec<RealAlgebraic> =
-            exceptions.iter().filter(|x| self.refuted.contains(x)).cloned().collect();
-        self.refuted = self.refuted.difference(&Region::points(exceptions.iter().cloned()));
+        let exceptional = Region::points(exceptions.iter().cloned());
+        let mut doubtful = self.refuted.intersection(&exceptional);
+        self.refuted = self.refuted.difference(&exceptional);
         self.lemmas
             .push(Lemma::Stable { except: exceptions.iter().map(certificate_end).collect() });
-        for x in doubtful {
-            if let Some(lemma) = x.as_rational().and_then(|x| self.reduced(x)) {
-                self.lemmas.push(lemma);
-                self.record(&x, PointVerdict::Refuted);
-            }
+        for x in doubtful.ends() {
+            let Some((verdict, lemmas)) = x.as_rational().and_then(|x| self.reduced(x)) else {
+                continue;
+            };
+            self.lemmas.extend(lemmas);
+            self.record(&x, verdict);
+            doubtful = doubtful.difference(&Region::point(x));
         }
+        self.refute_divergent(&doubtful);
+    }
+
+    /// Refutes where a scheme diverges, for which no stability is needed.
+    fn refute_divergent(&mut self, doubtful: &Region) {
+        if doubtful.is_empty() || self.order == 0 {
+            return;
+        }
+        let pencil = self.line.pencil(self.order, &bound(self.line, self.order, 0));
+        let (divergent, mut lemmas) = expanding(&pencil, &self.sharpness.spectral);
+        let refuted = doubtful.intersection(&divergent);
+        if refuted.is_empty() {
+            return;
+        }
+        lemmas.retain(|lemma| !expanded_by(lemma).intersection(&refuted).is_empty());
+        self.lemmas.push(Lemma::Convergence { lemmas });
+        self.refuted = self.refuted.union(&refuted);
     }
 
     /// `n ≥ k`: only where `σ^(n+1)` divides can the scheme be C^n.
@@ -185,29 +207,48 @@ impl<'a> Proof<'a> {
         }
     }
 
-    /// Refutes C^n at a value at which stability fails, by the mask `a q(z) / q(z²)` that generates
-    /// the same space of smoothness.
-    fn reduced(&self, x: &Rational) -> Option<Lemma> {
+    /// Decides C^n at a value at which stability fails, by the mask `a q(z) / q(z²)` that has a limit
+    /// function of the same smoothness.
+    fn reduced(&self, x: &Rational) -> Option<(PointVerdict, Vec<Lemma>)> {
         let member = self.line.at(x);
         let (factor, reduced) = reduction(&member)?;
         let order = reduced.order();
-        let stable = Lemma::Stable { except: Vec::new() };
-        let reason = if order <= self.continuity {
-            Lemma::Indivisible { order: self.continuity + 1, except: Vec::new() }
-        } else {
-            let pencil = reduced.pencil(order, &bound(&reduced, order, self.continuity));
-            match decide(&pencil, x, &self.sharpness.spectral, &|_| true) {
-                Constant::Expanding(word) => word_at(x, &word.to_string()),
-                _ => return None,
-            }
-        };
-        let lemma = Lemma::Reduced {
+        let of_reduced = |lemmas| Lemma::Reduced {
             value: Number(x.clone()),
             factor: factor.coefficients().iter().cloned().map(Number).collect(),
             order,
-            lemmas: vec![reason, stable],
+            lemmas,
         };
-        self.holds(vec![lemma.clone()]).then_some(lemma)
+        let refuted = |reason| {
+            let lemmas = vec![of_reduced(vec![reason, Lemma::Stable { except: Vec::new() }])];
+            self.holds(lemmas.clone()).then_some((PointVerdict::Refuted, lemmas))
+        };
+        if order <= self.continuity {
+            return refuted(Lemma::Indivisible { order: self.continuity + 1, except: Vec::new() });
+        }
+        let pencil = reduced.pencil(order, &bound(&reduced, order, self.continuity));
+        let accept = |polytope: &Polytope| {
+            self.holds(vec![of_reduced(vec![Lemma::Polytope(Box::new(polytope.clone()))])])
+        };
+        match decide(&pencil, x, &self.sharpness.spectral, &accept) {
+            Constant::Expanding(word) => refuted(word_at(x, &word.to_string())),
+            Constant::Contracting(polytope) => {
+                let lemmas = vec![of_reduced(vec![Lemma::Polytope(polytope)]), self.convergent(x)?];
+                Some((PointVerdict::Proved, lemmas))
+            }
+            Constant::Undecided => None,
+        }
+    }
+
+    /// The scheme converges at a value.
+    fn convergent(&self, x: &Rational) -> Option<Lemma> {
+        let pencil = self.line.pencil(self.order, &bound(self.line, self.order, 0));
+        let of_family = |polytope| Lemma::Convergence { lemmas: vec![Lemma::Polytope(polytope)] };
+        let accept = |polytope: &Polytope| self.holds(vec![of_family(Box::new(polytope.clone()))]);
+        match decide(&pencil, x, &self.sharpness.spectral, &accept) {
+            Constant::Contracting(polytope) => Some(of_family(polytope)),
+            _ => None,
+        }
     }
 
     fn accepts(&self, line: &Line, order: usize, polytope: &Polytope) -> bool {
@@ -253,6 +294,15 @@ fn bound(line: &Line, order: usize, continuity: usize) -> Rational {
 fn word_at(x: &Rational, word: &str) -> Lemma {
     let end = Some(End::Rational(Number(x.clone())));
     Lemma::Word { pencil: Pencil::Parameter, word: word.into(), from: end.clone(), to: end }
+}
+
+/// The closed interval on which a word lemma proves expansion.
+fn expanded_by(lemma: &Lemma) -> Region {
+    let Lemma::Word { from, to, .. } = lemma else { return Region::empty() };
+    let bound = |end: &Option<End>| {
+        end.as_ref().map_or(Bound::Infinite, |e| Bound::Closed(real_algebraic(e)))
+    };
+    Region::interval(bound(from), bound(to))
 }
 
 /// Short rational ends inside an open interval, at most a five-hundredth of its length from its own.

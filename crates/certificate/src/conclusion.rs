@@ -31,8 +31,8 @@ pub(crate) fn check(
     }
 }
 
-/// What follows from the facts inside a `reduced` lemma.
-pub(crate) fn refute(setting: &Setting, facts: &[Fact], work: &mut Work) -> Check<Fact> {
+/// What follows for the original mask from the facts inside a `reduced` lemma.
+pub(crate) fn transfer(setting: &Setting, facts: &[Fact], work: &mut Work) -> Check<Fact> {
     let (Some(value), Some(continuity)) = (setting.value, setting.continuity) else {
         return fail("the conclusion is not about continuity");
     };
@@ -41,11 +41,24 @@ pub(crate) fn refute(setting: &Setting, facts: &[Fact], work: &mut Work) -> Chec
     for fact in facts {
         known.add(setting.scheme, continuity, fact, &point, work)?;
     }
+    if point.is_covered_by(&known.contraction, work)? {
+        return Ok(Fact::Smooth(value.clone()));
+    }
     let expands = point.is_covered_by(&known.expansion, work)?;
-    ensure(expands, "the lemmas inside show neither expansion nor indivisibility")?;
+    ensure(expands, "the lemmas inside show neither contraction, expansion nor indivisibility")?;
     let stable = point.is_covered_by(&known.stable, work)?;
     ensure(stable, "the lemmas inside do not show stability")?;
     Ok(Fact::Refuted(value.clone()))
+}
+
+/// What follows for the scheme from the facts inside a `convergence` lemma, which are about C^0.
+pub(crate) fn convergence(facts: Vec<Fact>) -> Check<Vec<Fact>> {
+    let follows = facts.into_iter().map(|fact| match fact {
+        Fact::Contraction(Pencil::Parameter, span) => Ok(Fact::Convergent(span)),
+        Fact::Expansion(Pencil::Parameter, span) => Ok(Fact::Divergent(span)),
+        _ => fail("inside a `convergence` lemma is one that is about something else"),
+    });
+    follows.collect()
 }
 
 /// Sets of parameter values.
@@ -56,6 +69,10 @@ struct Known {
     expansion: Vec<Span>,
     /// Where it is sharp, or continuity is known to fail.
     stable: Vec<Span>,
+    /// Where the scheme converges.
+    convergent: Vec<Span>,
+    /// Where the limit function is smooth enough.
+    smooth: Vec<Span>,
 }
 
 impl Known {
@@ -73,6 +90,12 @@ impl Known {
             let place = lemma.value.as_ref().map_or_else(Span::line, |(t, _)| Span::point(t));
             for fact in &lemma.facts {
                 known.add(scheme, continuity, fact, &place, work)?;
+            }
+        }
+        // A scheme that converges to C^n functions is C^n.
+        for point in std::mem::take(&mut known.smooth) {
+            if point.is_covered_by(&known.convergent, work)? {
+                known.contraction.push(point);
             }
         }
         Ok(known)
@@ -105,12 +128,18 @@ impl Known {
                 }
             }
             Fact::Stable(except) => self.stable.extend(within(place, except, work)?),
-            Fact::Refuted(value) => {
-                self.expansion.push(Span::point(value));
-                self.stable.push(Span::point(value));
-            }
+            Fact::Refuted(value) => self.refute(Span::point(value)),
+            Fact::Divergent(span) => self.refute(span.clone()),
+            Fact::Convergent(span) => self.convergent.push(span.clone()),
+            Fact::Smooth(value) => self.smooth.push(Span::point(value)),
         }
         Ok(())
+    }
+
+    /// Adds a set on which continuity fails, whether the criterion is sharp or not.
+    fn refute(&mut self, span: Span) {
+        self.expansion.push(span.clone());
+        self.stable.push(span);
     }
 
     fn check(

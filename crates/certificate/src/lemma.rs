@@ -8,7 +8,7 @@ use crate::model::{End, Lemma, Pencil, Polytope};
 use crate::real::Real;
 use crate::stability::{CommonZero, common_zero};
 use crate::work::{Check, Work, ensure, fail, largest_bits};
-use crate::{nonnegative, norm, polytope, stability, word};
+use crate::{limits, nonnegative, norm, polytope, stability, word};
 
 /// A statement that has been checked.
 pub(crate) enum Fact {
@@ -27,6 +27,12 @@ pub(crate) enum Fact {
     Stable(Vec<Real>),
     /// The scheme is not C^n at the value.
     Refuted(Rational),
+    /// The limit function is C^n at the value.
+    Smooth(Rational),
+    /// The scheme converges on the span.
+    Convergent(Span),
+    /// The scheme does not converge on the span.
+    Divergent(Span),
 }
 
 /// What lemmas are about: a family, or one member of it.
@@ -50,12 +56,13 @@ pub(crate) fn kind(lemma: &Lemma) -> &'static str {
         Lemma::Stable { .. } => "stable",
         Lemma::Nonnegative { .. } => "nonnegative",
         Lemma::At { .. } => "at",
+        Lemma::Convergence { .. } => "convergence",
         Lemma::Reduced { .. } => "reduced",
     }
 }
 
 impl Setting<'_> {
-    /// Checks a lemma, which is neither an `at` nor a `reduced`.
+    /// Checks a lemma that has no lemmas inside.
     pub fn check(&self, lemma: &Lemma, work: &mut Work) -> Check<Fact> {
         match lemma {
             Lemma::Norm { level, from, to } => self.check_norm(*level, [&from.0, &to.0], work),
@@ -76,8 +83,8 @@ impl Setting<'_> {
                 let span = nonnegative::check(self.scheme, end, work)?;
                 Ok(Fact::Contraction(Pencil::Scale, span))
             }
-            Lemma::At { .. } | Lemma::Reduced { .. } => {
-                fail("an `at` or `reduced` lemma inside another")
+            Lemma::At { .. } | Lemma::Convergence { .. } | Lemma::Reduced { .. } => {
+                fail(limits::NESTED)
             }
         }
     }

@@ -45,7 +45,9 @@ pub(crate) fn check(certificate: &Certificate) -> Fits {
         }
     }
     let inner = |lemma: &Lemma| match lemma {
-        Lemma::At { lemmas, .. } | Lemma::Reduced { lemmas, .. } => 1 + lemmas.len(),
+        Lemma::At { lemmas, .. }
+        | Lemma::Convergence { lemmas }
+        | Lemma::Reduced { lemmas, .. } => 1 + lemmas.len(),
         _ => 1,
     };
     let count = certificate.lemmas.iter().map(inner).sum();
@@ -126,6 +128,7 @@ fn check_lemma(family: &Family, lemma: &Lemma) -> Fits {
             check_dimension(family, 0, *order)?;
             check_inner(family, lemmas)
         }
+        Lemma::Convergence { lemmas } => check_inner(family, lemmas),
         Lemma::Reduced { factor, order, lemmas, .. } => {
             check_polynomial(factor)?;
             let degree = factor.iter().rposition(|c| !c.0.is_zero()).unwrap_or(0);
@@ -135,11 +138,16 @@ fn check_lemma(family: &Family, lemma: &Lemma) -> Fits {
     }
 }
 
-/// The lemmas about one member.
+/// What is wrong with lemmas that have lemmas inside, inside another.
+pub(crate) const NESTED: &str = "an `at`, `convergence` or `reduced` lemma inside another";
+
+/// The lemmas inside a lemma.
 fn check_inner(family: &Family, lemmas: &[Lemma]) -> Fits {
-    let nested = |lemma: &Lemma| matches!(lemma, Lemma::At { .. } | Lemma::Reduced { .. });
+    let nested = |lemma: &Lemma| {
+        matches!(lemma, Lemma::At { .. } | Lemma::Convergence { .. } | Lemma::Reduced { .. })
+    };
     if lemmas.iter().any(nested) {
-        return Err("an `at` or `reduced` lemma inside another");
+        return Err(NESTED);
     }
     lemmas.iter().try_for_each(|lemma| check_lemma(family, lemma))
 }

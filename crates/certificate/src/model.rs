@@ -198,8 +198,12 @@ pub enum Lemma {
         /// The lemmas.
         lemmas: Vec<Lemma>,
     },
-    /// Lemmas about a mask whose limit function has the same smoothness as that of one member, which
-    /// is not C^n.
+    /// Lemmas about C^0 in place of C^n: where the scheme converges, and where it does not.
+    Convergence {
+        /// The lemmas.
+        lemmas: Vec<Lemma>,
+    },
+    /// Lemmas about a mask whose limit function has the same smoothness as that of one member.
     Reduced {
         /// The parameter value.
         value: Number,

@@ -19,7 +19,7 @@ use crate::work::{Check, Reason, Work, ensure, fail};
 /// A summary of what has been checked.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Verified {
-    /// The number of lemmas of each kind, those inside `at` and `reduced` lemmas included.
+    /// The number of lemmas of each kind, those inside other lemmas included.
     pub lemmas: BTreeMap<&'static str, usize>,
 }
 
@@ -89,26 +89,36 @@ fn check_lemma(setting: &Setting, index: usize, lemma: &Lemma) -> Result<Proved,
             Invalid { part, reason }
         }
     };
-    let (value, lemmas) = match lemma {
-        Lemma::At { value, lemmas, .. } | Lemma::Reduced { value, lemmas, .. } => (value, lemmas),
-        _ => {
-            let fact = setting.check(lemma, &mut Work::new()).map_err(invalid(None))?;
-            return Ok(Proved { value: None, facts: vec![fact] });
-        }
+    let all = |setting: &Setting, lemmas: &[Lemma]| -> Result<Vec<Fact>, Invalid> {
+        let checked = lemmas.iter().enumerate().map(|(place, lemma)| {
+            let fact = setting.check(lemma, &mut Work::new());
+            fact.map_err(invalid(Some((place, kind(lemma)))))
+        });
+        checked.collect()
     };
-    let member = member(setting, lemma).map_err(invalid(None))?;
-    let inner = Setting { scheme: &member, value: Some(&value.0), ..*setting };
-    let mut facts = Vec::with_capacity(lemmas.len());
-    for (place, lemma) in lemmas.iter().enumerate() {
-        let fact = inner.check(lemma, &mut Work::new());
-        facts.push(fact.map_err(invalid(Some((place, kind(lemma)))))?);
+    let about_family = |facts| Ok(Proved { value: None, facts });
+    match lemma {
+        Lemma::At { value, lemmas, .. } => {
+            let member = member(setting, lemma).map_err(invalid(None))?;
+            let inner = Setting { scheme: &member, value: Some(&value.0), ..*setting };
+            let facts = all(&inner, lemmas)?;
+            Ok(Proved { value: Some((value.0.clone(), member)), facts })
+        }
+        Lemma::Reduced { value, lemmas, .. } => {
+            let member = member(setting, lemma).map_err(invalid(None))?;
+            let inner = Setting { scheme: &member, value: Some(&value.0), ..*setting };
+            let facts = all(&inner, lemmas)?;
+            let fact = conclusion::transfer(&inner, &facts, &mut Work::new());
+            about_family(vec![fact.map_err(invalid(None))?])
+        }
+        Lemma::Convergence { lemmas } => {
+            ensure(setting.continuity.is_some(), "the conclusion is not about continuity")
+                .map_err(invalid(None))?;
+            let facts = all(&Setting { continuity: Some(0), ..*setting }, lemmas)?;
+            about_family(conclusion::convergence(facts).map_err(invalid(None))?)
+        }
+        _ => about_family(vec![setting.check(lemma, &mut Work::new()).map_err(invalid(None))?]),
     }
-    if matches!(lemma, Lemma::Reduced { .. }) {
-        let refuted =
-            conclusion::refute(&inner, &facts, &mut Work::new()).map_err(invalid(None))?;
-        return Ok(Proved { value: None, facts: vec![refuted] });
-    }
-    Ok(Proved { value: Some((value.0.clone(), member)), facts })
 }
 
 /// What the lemmas inside an `at` or a `reduced` are about.
@@ -119,10 +129,8 @@ fn member(setting: &Setting, lemma: &Lemma) -> Check<Scheme> {
     let work = &mut Work::new();
     match lemma {
         Lemma::At { value, order, .. } => setting.scheme.at(&value.0, *order, work),
-        Lemma::Reduced { value, factor, order, lemmas } => {
+        Lemma::Reduced { value, factor, order, .. } => {
             ensure(continuity >= 1, "a `reduced` lemma about C^0")?;
-            let fits = |lemma: &Lemma| matches!(kind(lemma), "word" | "indivisible" | "stable");
-            ensure(lemmas.iter().all(fits), "inside a `reduced` lemma is one that proves C^n")?;
             setting.scheme.reduced(&value.0, &integer_polynomial(factor), *order, work)
         }
         _ => fail("a lemma that is not about one member"),
@@ -133,7 +141,10 @@ fn count(lemmas: &[Lemma]) -> BTreeMap<&'static str, usize> {
     let mut counts = BTreeMap::new();
     for lemma in lemmas {
         *counts.entry(kind(lemma)).or_insert(0) += 1;
-        if let Lemma::At { lemmas, .. } | Lemma::Reduced { lemmas, .. } = lemma {
+        if let Lemma::At { lemmas, .. }
+        | Lemma::Convergence { lemmas }
+        | Lemma::Reduced { lemmas, .. } = lemma
+        {
             for (kind, n) in count(lemmas) {
                 *counts.entry(kind).or_insert(0) += n;
             }

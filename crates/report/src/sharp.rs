@@ -166,6 +166,7 @@ pub fn proof_text(certificate: &Certificate) -> String {
         plural(count(|l| matches!(l, Lemma::Word { .. })), "word interval"),
         plural(count(|l| matches!(l, Lemma::Indivisible { .. })), "division"),
         plural(count(|l| matches!(l, Lemma::At { .. })), "single value"),
+        plural(count(|l| matches!(l, Lemma::Convergence { .. })), "convergence statement"),
         plural(count(|l| matches!(l, Lemma::Reduced { .. })), "reduced mask"),
         plural(count(|l| matches!(l, Lemma::Nonnegative { .. })), "non-negative symbol"),
         plural(count(|l| matches!(l, Lemma::Stable { .. })), "stability"),
@@ -178,7 +179,9 @@ fn words(certificate: &Certificate) -> Vec<String> {
     let mut words: Vec<String> = Vec::new();
     for lemma in &certificate.lemmas {
         let inner = match lemma {
-            Lemma::At { lemmas, .. } | Lemma::Reduced { lemmas, .. } => lemmas.as_slice(),
+            Lemma::At { lemmas, .. }
+            | Lemma::Convergence { lemmas }
+            | Lemma::Reduced { lemmas, .. } => lemmas.as_slice(),
             other => std::slice::from_ref(other),
         };
         for lemma in inner {

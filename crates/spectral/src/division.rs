@@ -77,6 +77,13 @@ pub fn divide(
     }
 }
 
+/// Where words show that `ρ(x) ≥ 1`, and the lemmas that say so.
+pub fn expanding(pencil: &Pencil, options: &Options) -> (Region, Vec<Lemma>) {
+    let words = Word::necklaces(pencil.letters(), options.longest_word, pencil.is_mirrored());
+    let expansion = Expansion::new(pencil, &words);
+    (expansion.region(), expansion.lemmas())
+}
+
 /// Whether the joint spectral radius of constant matrices is less than one.
 #[derive(Clone, Debug)]
 pub enum Constant {

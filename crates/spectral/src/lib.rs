@@ -12,7 +12,7 @@
 //! | `seed` | what a polytope begins with |
 //! | `recipe` | in which ways it is grown where every word shrinks |
 //! | `search` | polytopes on closed intervals and up to exact ends |
-//! | `division` | [`divide`]: the line, divided at radius one; [`decide`] at a single value |
+//! | `division` | [`divide`]: the line, divided at radius one; [`expanding`]: one side of it; [`decide`] at a single value |
 //! | `radius` | [`radius()`](radius()): the radius of one set of matrices |
 //! | `float` | from exact numbers to floats and back |
 //!
@@ -35,7 +35,7 @@ mod seed;
 mod word;
 mod writing;
 
-pub use division::{Constant, Division, Options, decide, divide};
+pub use division::{Constant, Division, Options, decide, divide, expanding};
 pub use pencil::Pencil;
 pub use radius::{Radius, radius};
 pub use search::{certificate_end, real_algebraic};
