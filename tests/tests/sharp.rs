@@ -147,19 +147,55 @@ fn what_norms_prove_is_inside_and_nothing_is_both_proved_and_refuted() {
     }
 }
 
-/// (1+z)((1+z²)/2)³ is C² although (1+z)² does not divide it: without stability nothing is refuted
-/// by division.
+/// (1+z)((1+z²)/2)³ is C² although (1+z)² does not divide it: its limit function is a cubic spline,
+/// summed over translates.
 #[test]
-fn division_refutes_only_stable_schemes() {
+fn a_dilated_spline_is_as_smooth_as_the_spline() {
     let dilated = scheme("1/8*(1+z)*(1+z^2)^3");
     let verdict = |n| {
         let (verdict, _) =
             continuity_at("dilated", dilated.mask(), n, &Sharpness::default()).unwrap();
         verdict
     };
-    assert_eq!(verdict(0), PointVerdict::Proved);
-    assert_ne!(verdict(1), PointVerdict::Refuted);
-    assert_ne!(verdict(2), PointVerdict::Refuted);
+    for n in 0..=2 {
+        assert_eq!(verdict(n), PointVerdict::Proved, "C^{n}");
+    }
+    for n in 3..=4 {
+        assert_eq!(verdict(n), PointVerdict::Refuted, "C^{n}");
+    }
+    let found = exponent(&dilated);
+    assert_eq!((found.lower, found.upper), (rational(3, 1), rational(3, 1)));
+    assert!(!found.stable);
+}
+
+/// At α = 17/256 the symbol of a6 is `(1-z+z²) â(z)` with `â = (1+z)⁶ (17 - 82z + 138z² - 82z³ + 17z⁴)/256`.
+/// As `(1+z²+z⁴) = (1+z+z²)(1-z+z²)`, its limit function is a third of the sum of three translates of
+/// that of `â`, which is C¹: so is the scheme at this value, and at no other near it.
+#[test]
+fn a_single_value_may_be_smooth_among_rough_ones() {
+    let value = rational(17, 256);
+    let family = scheme("a6");
+    let member = at(&family, "alpha", &value);
+    let reduced = scheme("1/256*z^-5*(1+z)^6*(17-82*z+138*z^2-82*z^3+17*z^4)");
+    let other = scheme("1/256*z^-5*(1+z)^6*(17-82*z+138*z^2-82*z^3+17*z^4)*z^-1*(1-z+z^2)");
+    assert_eq!(member.mask(), other.mask());
+    let found = range(&family, "alpha", 1);
+    assert!(found.proved.contains_rational(&value) && found.is_exact());
+    assert!(found.undecided().is_empty());
+    for near in [rational(17 * 4096 - 1, 1 << 20), rational(17 * 4096 + 1, 1 << 20)] {
+        assert!(found.refuted.contains_rational(&near));
+    }
+    let (exponent, of_reduced) = (exponent(&member), exponent(&reduced));
+    assert_eq!((&exponent.lower, exponent.continuity), (&of_reduced.lower, Some(1)));
+    assert!(!exponent.stable && of_reduced.stable && of_reduced.factor.is_none());
+    assert!(range(&family, "alpha", 2).refuted.contains_rational(&value));
+}
+
+/// i8 has an unstable value that is irrational. There it diverges, so it is not C^5 anywhere.
+#[test]
+fn where_a_scheme_diverges_it_is_not_smooth() {
+    let found = range(&scheme("i8"), "beta", 5);
+    assert_eq!(found.refuted, Region::line());
 }
 
 /// At α = 1/2 the symbol of a2 is a hat function's, spread: continuous and no more. The reduced mask

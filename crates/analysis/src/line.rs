@@ -130,6 +130,11 @@ impl Line {
         Line { base: symbol, ..self.clone() }
     }
 
+    /// The same line by another name.
+    pub(crate) fn named(self, name: String) -> Self {
+        Line { name, ..self }
+    }
+
     /// The values of the family's parameter at which there is no scheme.
     pub fn poles(&self) -> Vec<RealAlgebraic> {
         match &self.curve {

@@ -118,7 +118,12 @@ impl<'a> Proof<'a> {
         }
         let Instability::At(exceptions) = instability(self.line) else {
             let doubtful = std::mem::replace(&mut self.refuted, Region::empty());
-            self.refute_divergent(&doubtful);
+            let zero = Rational::zero();
+            // A single scheme is placed at zero.
+            let only = self.line.parts().1.is_zero().then(|| self.reduced(&zero)).flatten();
+            let Some((verdict, lemmas)) = only else { return self.refute_divergent(&doubtful) };
+            self.lemmas.extend(lemmas);
+            self.record(&zero.into(), verdict);
             return;
         };
         let exceptional = Region::points(exceptions.iter().cloned());
@@ -200,7 +205,10 @@ impl<'a> Proof<'a> {
                         let stable = Lemma::Stable { except: Vec::new() };
                         (PointVerdict::Refuted, lemma(vec![word, stable]))
                     }
-                    (_, false) => (PointVerdict::Unstable, lemma(vec![word])),
+                    (_, false) => {
+                        let unstable = || (PointVerdict::Unstable, lemma(vec![word]));
+                        self.reduced(x).unwrap_or_else(unstable)
+                    }
                 }
             }
             Constant::Undecided => (PointVerdict::Undecided, Vec::new()),

@@ -1,6 +1,6 @@
 //! The Hölder regularity of a scheme without free parameters.
 
-use refinable_algebra::{Rational, Ring};
+use refinable_algebra::{Integer, Polynomial, Rational, Ring};
 use refinable_certificate::{
     Certificate, Conclusion, End, FORMAT, Lemma, Number, Polytope, VERSION, verify,
 };
@@ -9,7 +9,7 @@ use refinable_scheme::{Diagnostic, Normalised};
 use refinable_spectral::{Options, certificate_end, radius};
 
 use crate::line::Line;
-use crate::stability::{Instability, instability};
+use crate::stability::{Instability, instability, reduction};
 
 /// Bits of the logarithms that are taken.
 const BITS: u32 = 60;
@@ -22,18 +22,21 @@ pub struct Regularity {
     pub divided_order: usize,
     /// A lower bound for `r`.
     pub lower: Rational,
-    /// An upper bound, sharp only if the shifts are stable.
+    /// An upper bound, valid only if the shifts are stable or the mask was reduced.
     pub upper: Rational,
     /// `ρ = 1/scale` for the joint spectral radius of the matrices of `c_{k-1}`, if it is known exactly:
     /// `r = k - 1 + log_m scale`.
     pub scale: Option<RealAlgebraic>,
     /// The word whose product has this growth.
     pub word: String,
-    /// Whether the shifts are stable, so that the upper bound holds.
+    /// Whether the shifts are stable.
     pub stable: bool,
+    /// `q` if the exponent is that of the reduced mask `a(z) q(z) / q(z²)`, whose shifts are stable; all
+    /// other fields are then about it.
+    pub factor: Option<Polynomial<Integer>>,
     /// The largest `n` for which `r > n`: the scheme is C^n.
     pub continuity: Option<usize>,
-    /// The proof, checked; only for stable shifts.
+    /// The proof, checked; only if the upper bound is valid.
     pub certificate: Option<Certificate>,
 }
 
@@ -54,24 +57,39 @@ pub fn regularity(
     if line.parameter().is_some() {
         return Err(parameters_free(mask));
     }
+    let stable = matches!(instability(&line), Instability::At(_));
+    let own = regularity_of(&line, stable, options)?;
+    if stable || own.continuity.is_none() {
+        return Ok(own);
+    }
+    // A scheme that converges is as smooth as its limit function, and this as that of the reduced mask.
+    let Some((factor, reduced)) = reduction(&line) else { return Ok(own) };
+    let factor = factor.cleared().1;
+    let reduced = reduced.named(format!("{name} reduced by {}", factor.display("z")));
+    Ok(match regularity_of(&reduced, true, options) {
+        Ok(found) => Regularity { stable, factor: Some(factor), ..found },
+        Err(_) => own,
+    })
+}
+
+fn regularity_of(line: &Line, stable: bool, options: &Options) -> Result<Regularity, Diagnostic> {
     let order = line.order();
     if order == 0 {
         return Err(Diagnostic::new("regularity", "1 + z does not divide the symbol")
             .with_hint("such a scheme does not converge"));
     }
     let pencil = line.scaled_pencil(order);
-    let stable = matches!(instability(&line), Instability::At(_));
     let probe = |lemma: Lemma| {
         let conclusion =
             Conclusion::Continuity { continuity: 0, proved: Vec::new(), refuted: Vec::new() };
-        verify(&certificate_of(&line, order, conclusion, vec![lemma])).is_ok()
+        verify(&certificate_of(line, order, conclusion, vec![lemma])).is_ok()
     };
     let accept = |p: &Polytope| probe(Lemma::Polytope(Box::new(p.clone())));
     let nonnegative = |end: &End| probe(Lemma::Nonnegative { end: end.clone() });
     let found = radius(&pencil, options, &nonnegative, &accept).ok_or_else(|| {
         Diagnostic::new("regularity", "no bounds for the joint spectral radius were found")
     })?;
-    let (lower, upper) = bounds(&line, order, &found.from, &found.to);
+    let (lower, upper) = bounds(line, order, &found.from, &found.to);
     let certificate = stable.then(|| {
         let conclusion = Conclusion::Regularity {
             from: certificate_end(&found.from),
@@ -80,7 +98,7 @@ pub fn regularity(
         };
         let mut lemmas = found.lemmas.clone();
         lemmas.push(Lemma::Stable { except: Vec::new() });
-        certificate_of(&line, order, conclusion, lemmas)
+        certificate_of(line, order, conclusion, lemmas)
     });
     if let Some(Err(invalid)) = certificate.as_ref().map(verify) {
         let message = format!("the certificate found does not hold: {invalid}");
@@ -89,12 +107,13 @@ pub fn regularity(
     let scale = (found.from == found.to).then(|| found.from.clone());
     Ok(Regularity {
         divided_order: order,
-        continuity: continuity(&line, order, &found.from),
+        continuity: continuity(line, order, &found.from),
         lower,
         upper,
         scale,
         word: found.word.to_string(),
         stable,
+        factor: None,
         certificate,
     })
 }
@@ -123,7 +142,7 @@ fn bounds(
     from: &RealAlgebraic,
     to: &RealAlgebraic,
 ) -> (Rational, Rational) {
-    let width = Rational::new(1.into(), refinable_algebra::Integer::from(1) << 80usize);
+    let width = Rational::new(1.into(), Integer::from(1) << 80usize);
     let whole = Rational::from_i64(order as i64 - 1);
     let lower = logarithm(&from.enclosure(&width).0, line.arity(), BITS).0;
     let upper = logarithm(&to.enclosure(&width).1, line.arity(), BITS).1;

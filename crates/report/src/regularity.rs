@@ -27,7 +27,13 @@ pub fn regularity_table(scheme: &Scheme, found: &Regularity) -> Document {
         ("stable shifts", if found.stable { "yes".into() } else { "no".to_string() }),
     ];
     let mut remarks = Vec::new();
-    if !found.stable {
+    if let Some(factor) = &found.factor {
+        remarks.push(format!(
+            "the exponent of the mask a(z) q(z)/q(z^2), q = {}, whose shifts are stable and whose limit \
+             function is as smooth",
+            factor.display("z")
+        ));
+    } else if !found.stable {
         remarks.push("without stable shifts the exponent is a lower bound only".into());
     }
     if let Some(certificate) = &found.certificate {

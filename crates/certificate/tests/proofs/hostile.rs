@@ -110,6 +110,10 @@ fn sizes_beyond_the_limits() {
     too_large(&certificate(&constant_family(&[1; 60], 30, 1), &nothing(0), &json!([])));
     let at = json!({"kind": "at", "value": "0", "order": 1, "lemmas": []});
     too_large(&lemma(json!({"kind": "at", "value": "0", "order": 1, "lemmas": [at]})));
+    let convergence = |lemmas: Value| json!({"kind": "convergence", "lemmas": lemmas});
+    too_large(&lemma(convergence(json!([convergence(json!([]))]))));
+    let at = json!({"kind": "at", "value": "0", "order": 1, "lemmas": []});
+    too_large(&lemma(convergence(json!([at]))));
     let reduced = |factor: &Value, lemmas: &Value| {
         lemma(
             json!({"kind": "reduced", "value": "0", "factor": factor, "order": 1, "lemmas": lemmas}),
@@ -121,6 +125,7 @@ fn sizes_beyond_the_limits() {
     assert!(survive_value(&reduced(&json!(vec!["1"; 1201]), &json!([]))).is_err());
     let norm = json!({"kind": "norm", "level": 1, "from": "0", "to": "0"});
     too_large(&reduced(&json!(["1"]), &json!(vec![norm.clone(); 5000])));
+    too_large(&lemma(convergence(json!(vec![norm.clone(); 5000]))));
     too_large(&certificate(&four_point(), &nothing(1), &json!(vec![norm; 5001])));
     let prime = |i: usize| format!("1/{}", 10_u64.pow(17) + 1 + i as u64);
     let mut family = four_point();

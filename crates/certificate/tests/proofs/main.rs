@@ -6,7 +6,7 @@
 //! | `norms` | norms of powers of the difference symbol |
 //! | `polytopes`, `complex_polytopes`, `moving_polytopes` | invariant polytopes up to ends of all kinds |
 //! | `words` | products with real and with complex eigenvalues |
-//! | `stability`, `reduced` | roots of unity, and masks that are reduced |
+//! | `stability`, `reduced`, `convergence` | roots of unity, masks that are reduced, C^0 in place of C^n |
 //! | `regularity` | Hölder exponents |
 //! | `mutations` | theorems of which one number is changed |
 //! | `hostile` | files that are broken, or too large, or both |
@@ -14,6 +14,7 @@
 //! `support` makes them.
 
 mod complex_polytopes;
+mod convergence;
 mod families;
 mod hostile;
 mod moving_polytopes;

@@ -50,7 +50,7 @@ fn an_unstable_member_by_a_reduced_mask() {
         let point = refuted_from_one_half(2, json!("1/2"), "[]");
         accept(&certificate(&cubic_like(), &point, &json!([lemma])));
         let weaker = certificate(&cubic_like(), &nothing(1), &json!([lemma]));
-        refuse(&weaker, "show neither expansion nor indivisibility");
+        refuse(&weaker, "show neither contraction, expansion nor indivisibility");
     }
 }
 
@@ -74,11 +74,15 @@ fn reduced_masks_that_are_none() {
     refuse(&with("/lemmas/0/from", json!("0")), "an end that is not the value");
     let stable = hat_lemma()["lemmas"][1].clone();
     let word = hat_lemma()["lemmas"][0].clone();
-    refuse(&with("/lemmas", json!([stable])), "show neither expansion nor indivisibility");
+    refuse(
+        &with("/lemmas", json!([stable])),
+        "show neither contraction, expansion nor indivisibility",
+    );
     refuse(&with("/lemmas", json!([word])), "do not show stability");
     refuse(&with("/lemmas/1/except", json!(["1/2"])), "an exception but no parameter");
+    // The hat is not C¹.
     let norm = json!({"kind": "norm", "level": 1, "from": "1/2", "to": "1/2"});
-    refuse(&with("/lemmas/0", norm), "inside a `reduced` lemma is one that proves C^n");
+    refuse(&with("/lemmas/0", norm), "row 0 of the norm is not shown to be less than one");
     let zero = certificate(&cubic_like(), &nothing(0), &json!([hat_lemma()]));
     refuse(&zero, "a `reduced` lemma about C^0");
     let claim = certificate(&spline(2), &regularity("1", "1", "1"), &json!([hat_lemma()]));
