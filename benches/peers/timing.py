@@ -45,8 +45,17 @@ def tasks(binary):
         "python-flint": flint("degrees.py", "a43"),
     }
     out.append(("degrees a43", "degrees", commands))
+    special = "231/4194304"  # of a12: the value at which the order of the zero at -1 rises
+    for scheme in [f"dd{k}" for k in range(4, 17, 2)] + ["a12"]:
+        settings = ["--set", f"alpha={special}"] if scheme == "a12" else []
+        args = ["regularity", scheme, *settings, "--format", "json"]
+        # The exact exponent against a bracket of relative width 1e-3 in floating point.
+        peer = [sys.executable, os.path.join(HERE, "gripenberg.py"), scheme, "--delta", "1e-3", "--alpha", special]
+        commands = {"refinable": ([binary, *args], ""), "numpy, Gripenberg": (peer, "")}
+        out.append((" ".join(args[:-2]), "exponent", commands))
     commands = {
         "refinable": ([binary, "--version"], ""),
+        "numpy, Gripenberg": ([sys.executable, "-c", "import numpy"], ""),
         "PARI/GP": (["gp", "-fq", "-s", "256M"], "print(1)\n"),
         "python-flint": ([sys.executable, "-c", "import flint"], ""),
     }
@@ -62,6 +71,8 @@ def missing_peers():
         out["PARI/GP, textbook"] = out["PARI/GP"]
     if subprocess.run([sys.executable, "-c", "import flint"], capture_output=True).returncode:
         out["python-flint"] = "no module `flint` (pip install python-flint)"
+    if subprocess.run([sys.executable, "-c", "import numpy"], capture_output=True).returncode:
+        out["numpy, Gripenberg"] = "no module `numpy` (pip install numpy)"
     return out
 
 
@@ -70,6 +81,7 @@ def versions(binary, missing):
         "refinable": ([binary, "--version"], ""),
         "PARI/GP": (["gp", "-fq"], 'v = version(); print(v[1], ".", v[2], ".", v[3])\n'),
         "python-flint": ([sys.executable, "-c", "import flint; print(flint.__version__)"], ""),
+        "numpy, Gripenberg": ([sys.executable, "-c", "import numpy; print(numpy.__version__)"], ""),
     }
     for tool, (args, text) in commands.items():
         if tool not in missing:
@@ -141,11 +153,23 @@ def compare_degrees(ours, peer):
     return None
 
 
+def compare_exponent(ours, peer):
+    """Whether the certified bounds are inside the bracket, up to its rounding errors."""
+    lower, upper = (Fraction(ours["holder"][end]) for end in ("lower", "upper"))
+    below, above = (Fraction(x) for x in peer["hoelder"])
+    if not peer["reached"]:
+        return "the peer's bracket is too wide"
+    if lower < below - Fraction(1, 10**6) or upper > above + Fraction(1, 10**6):
+        return f"{float(lower)}..{float(upper)}, the peer has {float(below)}..{float(above)}"
+    return None
+
+
 def compare(kind, ours, peer):
     if kind == "none":
         return None
     try:
-        return {"range": compare_range, "degrees": compare_degrees}[kind](json.loads(ours), json.loads(peer))
+        comparisons = {"range": compare_range, "degrees": compare_degrees, "exponent": compare_exponent}
+        return comparisons[kind](json.loads(ours), json.loads(peer))
     except (ValueError, KeyError, TypeError, IndexError) as error:
         return f"unreadable output: {error!r}"
 
@@ -166,7 +190,7 @@ def main(binary, repetitions):
     print(f"whole processes, milliseconds, {repetitions} interleaved repetitions after one untimed run;")
     print("ratio of medians, to refinable\n")
 
-    head = f"{'task':<38} {'tool':<13} {'median':>8} {'min..max':>16} {'ratio':>8}  result"
+    head = f"{'task':<38} {'tool':<17} {'median':>8} {'min..max':>16} {'ratio':>8}  result"
     print(head + "\n" + "-" * len(head))
     good, notes = True, []
     for title, kind, commands in tasks(binary):
@@ -182,7 +206,7 @@ def main(binary, repetitions):
             if tool not in order:
                 good = False
                 notes.append(f"{title}, {tool}: {results[tool][2]}")
-                print(f"{label:<38} {tool:<13} {'failed':>8}")
+                print(f"{label:<38} {tool:<17} {'failed':>8}")
                 continue
             mid, spread = median(times[tool]), f"{milliseconds(min(times[tool]))}..{milliseconds(max(times[tool]))}"
             ratio = verdict = ""
@@ -194,7 +218,7 @@ def main(binary, repetitions):
                     if difference:
                         good = False
                         notes.append(f"{title}, {tool}: {difference}")
-            print(f"{label:<38} {tool:<13} {milliseconds(mid):>8} {spread:>16} {ratio:>8}  {verdict}")
+            print(f"{label:<38} {tool:<17} {milliseconds(mid):>8} {spread:>16} {ratio:>8}  {verdict}")
     if notes:
         print("\n" + "\n".join(notes))
     return 0 if good else 1
