@@ -166,7 +166,7 @@ fn legend(svg: &mut String, y: f64) {
         y + 13.0,
         y + 18.0
     );
-    text(svg, 80.0, y + 19.0, "start", ">proved by a norm");
+    text(svg, 80.0, y + 19.0, "start", ">proved");
     text(svg, 286.0, y + 19.0, "start", ">claimed by the paper");
     let marks = Agreement::ALL.into_iter().filter(|a| *a != Agreement::NotChecked);
     let marks: Vec<String> = marks.map(|a| format!("{} {}", mark(a), a.word())).collect();
