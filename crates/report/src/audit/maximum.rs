@@ -1,7 +1,7 @@
 //! Claims of maximum continuity: the largest n for which some parameter value gives C^n.
 //!
 //! The maximum is n if C^n is proved somewhere and C^(n+1) refuted everywhere. With two parameters C^n
-//! is asked where divisibility admits it: on the curves and at the points of the degree ladder.
+//! is asked on the curves and at the points of the degree ladder, and refuted by the support alone.
 
 use std::cmp::Ordering;
 
@@ -45,14 +45,16 @@ pub fn check(
     let excluded = excluded(workbench, scheme, best.continuity + 1)?;
     let at_least = if excluded.is_some() { "" } else { "at least " };
     let text = format!("{at_least}C^{}{}", best.continuity, best.place);
-    let certificates =
-        best.certificates.iter().cloned().chain(excluded.clone().unwrap_or_default());
+    let of_excluded = excluded.as_ref().map_or(&[][..], |excluded| &excluded.certificates);
+    let certificates = best.certificates.iter().chain(of_excluded).cloned();
     let finding = |agreement| {
         Finding::new(text.clone(), agreement)
             .noted(best.witness.clone())
             .certified(certificates.clone())
     };
-    let nothing_more = format!("C^{} is refuted for all values", best.continuity + 1);
+    let reason = excluded.as_ref().and_then(|excluded| excluded.reason.clone());
+    let reason = reason.map_or(String::new(), |reason| format!(": {reason}"));
+    let nothing_more = format!("C^{} is refuted for all values{reason}", best.continuity + 1);
     Ok(match (best.continuity.cmp(&claimed), bound, excluded.is_some()) {
         (Ordering::Greater, Bound::Equal, _) => finding(Agreement::Disagrees)
             .noted(format!("C^{} is attained, more than the claimed maximum", best.continuity)),
@@ -67,44 +69,52 @@ pub fn check(
     })
 }
 
-/// The certificates that refute C^n for every value of the parameters; `None` if it is not refuted.
+/// Why C^n fails for every value of the parameters.
+struct Excluded {
+    certificates: Vec<String>,
+    /// What is too simple for a certificate.
+    reason: Option<String>,
+}
+
+/// Why C^n fails for every value of the parameters; `None` if that is not known.
 fn excluded(
     workbench: &Workbench,
     scheme: &Scheme,
     continuity: usize,
-) -> Result<Option<Vec<String>>, Diagnostic> {
+) -> Result<Option<Excluded>, Diagnostic> {
+    let by =
+        |certificate: &String| Excluded { certificates: vec![certificate.clone()], reason: None };
     let parameters: Vec<Parameter> = scheme.mask().parameters().into_iter().collect();
-    match parameters.as_slice() {
+    Ok(match parameters.as_slice() {
         [] => {
             let verdict = workbench.verdict(scheme, continuity)?;
-            let refuted = verdict.0 == PointVerdict::Refuted;
-            Ok(refuted.then(|| vec![verdict.1.clone()]))
+            (verdict.0 == PointVerdict::Refuted).then(|| by(&verdict.1))
         }
         [parameter] => {
             let range = workbench.range(scheme, parameter, continuity)?;
             let refuted = range.0.proved.is_empty() && range.0.undecided().is_empty();
-            Ok(refuted.then(|| vec![range.1.clone()]))
+            refuted.then(|| by(&range.1))
         }
-        _ => excluded_on_strata(workbench, scheme, continuity),
-    }
+        _ => excluded_by_support(scheme, continuity),
+    })
 }
 
-/// Where the degree of generation is below `n` the scheme is not C^n; elsewhere there must be curves or
-/// points, and C^n refuted on each.
-fn excluded_on_strata(
-    workbench: &Workbench,
-    scheme: &Scheme,
-    continuity: usize,
-) -> Result<Option<Vec<String>>, Diagnostic> {
-    let degrees = workbench.degrees(scheme);
-    let mut certificates = Vec::new();
-    for stratum in degrees.strata.iter().filter(|s| s.generation.0 >= continuity) {
-        let Some((_, substitutions)) = substitutions(&stratum.locus) else { return Ok(None) };
-        let restricted = scheme.with(&substitutions)?;
-        let Some(more) = excluded(workbench, &restricted, continuity)? else { return Ok(None) };
-        certificates.extend(more);
-    }
-    Ok(degrees.complete.then_some(certificates))
+/// With `N+1` coefficients a scheme of arity two is at most `C^(N-2)`, stable or not: the values of
+/// `φ^(j)` at the `N-1` integers inside the support are an eigenvector of `(a_{2i-k})` for the
+/// eigenvalue `2^-j`, and not zero, or `φ^(j)` would vanish at all dyadic numbers.
+///
+/// # Source
+/// I. Daubechies and J. C. Lagarias, *Two-scale difference equations I*, 1991.
+fn excluded_by_support(scheme: &Scheme, continuity: usize) -> Option<Excluded> {
+    let (lowest, highest) = scheme.mask().support();
+    let width = usize::try_from(highest - lowest).ok()?;
+    (continuity + 2 > width && scheme.mask().arity() == 2).then(|| Excluded {
+        certificates: Vec::new(),
+        reason: Some(format!(
+            "a limit function of support width {width} is at most C^{}",
+            width.saturating_sub(2)
+        )),
+    })
 }
 
 /// The largest n with C^n proved for a scheme without free parameters.
