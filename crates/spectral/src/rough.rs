@@ -42,43 +42,58 @@ impl Product {
         match &self.root {
             // 1 - λ² = (1 - λ)(1 + λ)
             Some((root, factor)) if sign > 0 => {
-                [1, -1].iter().flat_map(|&sign| determinant(root, factor, sign)).collect()
+                [1, -1].iter().flat_map(|&sign| determinants(root, factor, sign)).collect()
             }
-            _ => determinant(&self.matrix, &self.factor, sign),
+            _ => determinants(&self.matrix, &self.factor, sign),
         }
     }
 
-    /// `det(λ D^l I - D^l Π_w)` as a polynomial in `λ`.
-    fn characteristic(&self) -> Polynomial<Polynomial<Integer>> {
-        let p = self.matrix.characteristic_polynomial();
-        let scaled = p.coefficients().iter().enumerate();
-        Polynomial::new(scaled.map(|(k, c)| c.scaled(&self.factor.power(k as u32))).collect())
+    /// A matrix with a factor of which an eigenvalue is outside the unit disc if and only if one of the
+    /// product is.
+    fn smallest(&self) -> (&Matrix<Polynomial<Integer>>, &Integer) {
+        self.root.as_ref().map_or((&self.matrix, &self.factor), |(root, factor)| (root, factor))
     }
 }
 
 /// Polynomials whose product is `det(factor I - sign M)`.
-fn determinant(
+fn determinants(
     matrix: &Matrix<Polynomial<Integer>>,
     factor: &Integer,
     sign: i32,
 ) -> Vec<Polynomial<Integer>> {
-    let (d, _) = matrix.shape();
-    let shifted = Matrix::from_fn(d, d, |i, j| {
-        let entry = matrix.entry(i, j);
-        let entry = if sign > 0 { entry.negated() } else { entry.clone() };
-        if i == j { entry.plus(&Polynomial::constant(factor.clone())) } else { entry }
-    });
-    determinant_factors(&shifted)
+    let determinant = |block: &Matrix<Polynomial<Integer>>| {
+        let (d, _) = block.shape();
+        let shifted = Matrix::from_fn(d, d, |i, j| {
+            let entry = block.entry(i, j);
+            let entry = if sign > 0 { entry.negated() } else { entry.clone() };
+            if i == j { entry.plus(&Polynomial::constant(factor.clone())) } else { entry }
+        });
+        shifted.determinant()
+    };
+    blocks(matrix).iter().map(determinant).collect()
 }
 
-/// Polynomials whose product is the determinant: diagonal entries beside which a first or last row or
-/// column is zero, and two factors of what is left if it is equal to its half turn.
+/// `det(λ factor I - M)` as a polynomial in `λ`.
+fn characteristic(
+    matrix: &Matrix<Polynomial<Integer>>,
+    factor: &Integer,
+) -> Polynomial<Polynomial<Integer>> {
+    let p = matrix.characteristic_polynomial();
+    let scaled = p.coefficients().iter().enumerate();
+    Polynomial::new(scaled.map(|(k, c)| c.scaled(&factor.power(k as u32))).collect())
+}
+
+/// Matrices that have the eigenvalues of the matrix together: diagonal entries beside which a first or
+/// last row or column is zero, and two of what is left if it is equal to its half turn.
 ///
 /// A symmetric mask has such matrices: `A_0` and `A_1` share all but one row and column, and its
 /// half turn exchanges them.
-fn determinant_factors(matrix: &Matrix<Polynomial<Integer>>) -> Vec<Polynomial<Integer>> {
-    let mut factors = Vec::new();
+fn blocks(matrix: &Matrix<Polynomial<Integer>>) -> Vec<Matrix<Polynomial<Integer>>> {
+    let mut blocks = Vec::new();
     let (mut from, mut to) = (0, matrix.shape().0);
+    let part = |from: usize, to: usize| {
+        Matrix::from_fn(to - from, to - from, |i, j| matrix.entry(from + i, from + j).clone())
+    };
     let is_alone = |k: usize, from: usize, to: usize| {
         let others = || (from..to).filter(move |&i| i != k);
         others().all(|i| matrix.entry(i, k).is_zero())
@@ -86,30 +101,31 @@ fn determinant_factors(matrix: &Matrix<Polynomial<Integer>>) -> Vec<Polynomial<I
     };
     loop {
         if from < to && is_alone(from, from, to) {
-            factors.push(matrix.entry(from, from).clone());
+            blocks.push(part(from, from + 1));
             from += 1;
         } else if from < to && is_alone(to - 1, from, to) {
-            factors.push(matrix.entry(to - 1, to - 1).clone());
+            blocks.push(part(to - 1, to));
             to -= 1;
         } else {
             break;
         }
     }
     let n = to - from;
-    let entry = |i: usize, j: usize| matrix.entry(from + i, from + j);
-    let turned = (0..n).all(|i| (0..n).all(|j| entry(i, j) == entry(n - 1 - i, n - 1 - j)));
+    let rest = part(from, to);
+    let turned =
+        (0..n).all(|i| (0..n).all(|j| rest.entry(i, j) == rest.entry(n - 1 - i, n - 1 - j)));
     if n > 1 && turned {
         // On vectors that are, up to the sign, the same read backwards.
-        let even = Matrix::from_fn(n.div_ceil(2), n.div_ceil(2), |i, j| {
-            let mirror = n - 1 - j;
-            if mirror == j { entry(i, j).clone() } else { entry(i, j).plus(entry(i, mirror)) }
-        });
-        let odd = Matrix::from_fn(n / 2, n / 2, |i, j| entry(i, j).minus(entry(i, n - 1 - j)));
-        factors.extend([even.determinant(), odd.determinant()]);
+        let (entry, mirror) = (|i, j| rest.entry(i, j), |j: usize| n - 1 - j);
+        let half = n.div_ceil(2);
+        blocks.push(Matrix::from_fn(half, half, |i, j| {
+            if mirror(j) == j { entry(i, j).clone() } else { entry(i, j).plus(entry(i, mirror(j))) }
+        }));
+        blocks.push(Matrix::from_fn(n / 2, n / 2, |i, j| entry(i, j).minus(entry(i, mirror(j)))));
     } else if n > 0 {
-        factors.push(Matrix::from_fn(n, n, |i, j| entry(i, j).clone()).determinant());
+        blocks.push(rest);
     }
-    factors
+    blocks
 }
 
 /// Whether `B_{m-1-ε} = J B_ε J`.
@@ -152,22 +168,26 @@ fn not_positive(factors: &[Polynomial<Integer>]) -> Region {
 /// The closed set on which `ρ(Π_w(x)) ≥ 1`, exactly.
 ///
 /// Its boundary lies on the zeros of `det(I - Π) det(I + Π) Π_{i<j} (1 - λ_i λ_j)`: an eigenvalue
-/// crosses the unit circle at 1, at -1, or in a conjugate pair. At every such zero some eigenvalue
-/// has modulus at least one; between them one rational sample decides, by Schur's test.
+/// crosses the unit circle at 1, at -1, or in a conjugate pair, of one block. At every such zero some
+/// eigenvalue has modulus at least one; between them one rational sample decides, by Schur's test.
 pub(crate) fn rough_set(product: &Product) -> Region {
-    let characteristic = product.characteristic();
+    let (matrix, factor) = product.smallest();
+    let characteristics: Vec<_> =
+        blocks(matrix).iter().map(|block| characteristic(block, factor)).collect();
+    let real = [1, -1].into_iter().flat_map(|sign| determinants(matrix, factor, sign));
+    let complex = characteristics.iter().map(inner_determinant);
     let mut cuts = Region::empty();
-    let real = [product.determinants(1), product.determinants(-1)].concat();
-    for p in real.into_iter().chain([inner_determinant(&characteristic)]) {
+    for p in real.chain(complex) {
         if p.is_zero() {
             return Region::line();
         }
         cuts = cuts.union(&Region::points(real_roots(&p)));
     }
-    union_of_gaps(&cuts.ends(), |sample| {
+    let is_stable = |characteristic: &Polynomial<Polynomial<Integer>>, sample: &Rational| {
         let at = characteristic.coefficients().iter().map(|c| c.value_at(sample));
-        !is_schur_stable(&Polynomial::new(at.collect::<Vec<Rational>>()).cleared().1)
-    })
+        is_schur_stable(&Polynomial::new(at.collect::<Vec<Rational>>()).cleared().1)
+    };
+    union_of_gaps(&cuts.ends(), |sample| !characteristics.iter().all(|c| is_stable(c, sample)))
 }
 
 /// The cuts, and the open intervals between them whose samples satisfy a condition.
@@ -200,7 +220,7 @@ mod tests {
 
     /// Any matrix, and one that is equal to its half turn with a row or column of zeros around it.
     #[test]
-    fn factors_of_a_determinant() {
+    fn blocks_have_the_eigenvalues_of_the_matrix() {
         let x = |c: i64| Polynomial::new(vec![integer(c), integer(c * c % 7 - 3)]);
         for n in 1..7 {
             let plain = Matrix::from_fn(n, n, |i, j| x((3 * i * i + 5 * j + i * j) as i64 % 11));
@@ -216,11 +236,13 @@ mod tests {
                 (i, j) => x((i + 2 * j) as i64),
             });
             for (matrix, parts) in [(plain, 1), (turned, 2), (framed, 4)] {
-                let factors = determinant_factors(&matrix);
-                assert!(factors.len() >= if n == 1 { 1 } else { parts });
-                let one = Polynomial::constant(integer(1));
-                let product = factors.iter().fold(one, |product, f| product.times(f));
-                assert_eq!(product, matrix.determinant(), "{n}");
+                let blocks = blocks(&matrix);
+                assert!(blocks.len() >= if n == 1 { 1 } else { parts });
+                let one = Polynomial::constant(Polynomial::constant(integer(1)));
+                let product = blocks
+                    .iter()
+                    .fold(one, |product, block| product.times(&block.characteristic_polynomial()));
+                assert_eq!(product, matrix.characteristic_polynomial(), "{n}");
             }
         }
     }
