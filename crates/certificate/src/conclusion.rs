@@ -123,7 +123,7 @@ impl Known {
                 }
             }
             Fact::Indivisible { order, except } => {
-                if *order <= continuity + 1 {
+                if order.saturating_sub(1) <= continuity {
                     self.expansion.extend(within(place, except, work)?);
                 }
             }

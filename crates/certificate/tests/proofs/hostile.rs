@@ -110,6 +110,13 @@ fn sizes_beyond_the_limits() {
     too_large(&certificate(&constant_family(&[1; 60], 30, 1), &nothing(0), &json!([])));
     let at = json!({"kind": "at", "value": "0", "order": 1, "lemmas": []});
     too_large(&lemma(json!({"kind": "at", "value": "0", "order": 1, "lemmas": [at]})));
+    let mut absurd = certificate(
+        &constant_family(&[1, 2, 1], 2, 1),
+        &nothing(0),
+        &json!([{"kind": "indivisible", "order": 3, "except": []}, {"kind": "stable", "except": []}]),
+    );
+    absurd["conclusion"]["continuity"] = json!(usize::MAX);
+    assert!(survive_value(&absurd).is_ok());
     let convergence = |lemmas: Value| json!({"kind": "convergence", "lemmas": lemmas});
     too_large(&lemma(convergence(json!([convergence(json!([]))]))));
     let at = json!({"kind": "at", "value": "0", "order": 1, "lemmas": []});
