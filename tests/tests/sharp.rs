@@ -7,7 +7,7 @@ use refinable_algebra::{
 };
 use refinable_analysis::{
     Budget, ContinuityRange, Options, PointVerdict, Regularity, Sharpness, continuity_at,
-    continuity_range, norm_range, regularity,
+    continuity_range, highest_continuity, norm_range, regularity,
 };
 use refinable_certificate::verify;
 use refinable_reals::{Region, real_roots};
@@ -68,6 +68,17 @@ fn deslauriers_dubuc_exponents() {
             assert_eq!(decimal(&found.lower, text.len().max(2) as u32 - 1), *text);
         }
     }
+}
+
+/// A B-spline of degree d has support width d+1 and is C^(d-1): no support allows more.
+#[test]
+fn splines_are_as_smooth_as_their_support_allows() {
+    for degree in 1..=20 {
+        let spline = scheme(&format!("bspline{degree}"));
+        assert_eq!(highest_continuity(spline.mask()), exponent(&spline).continuity);
+    }
+    assert_eq!(highest_continuity(scheme("[1, 1]").mask()), None);
+    assert_eq!(highest_continuity(scheme("a3").mask()), Some(4));
 }
 
 /// With r = 3 - log2(9/8): 2 to the power of 5 - r is 9/2.

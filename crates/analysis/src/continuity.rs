@@ -125,6 +125,21 @@ pub fn certified_range(
     if same { range() } else { None }
 }
 
+/// The largest `n` for which a mask of this support can be C^n, whatever its coefficients and whether its
+/// shifts are stable or not: `N - 2` for `N + 1` coefficients of a binary scheme that converges.
+///
+/// For `j ≤ n` the values of `φ^(j)` at the `N - 1` integers inside the support are an eigenvector of
+/// `(a_{2i-k})` for the eigenvalue `2^-j`: they are not all zero, or `φ^(j)` would vanish at every
+/// dyadic number. `None` for another arity, or if no scheme of this support converges.
+///
+/// # Source
+/// I. Daubechies and J. C. Lagarias, *Two-scale difference equations I*, SIAM J. Math. Anal. 22, 1991.
+pub fn highest_continuity(mask: &Normalised) -> Option<usize> {
+    let (lowest, highest) = mask.support();
+    let width = usize::try_from(highest - lowest).ok()?;
+    width.checked_sub(2).filter(|_| mask.arity() == 2)
+}
+
 fn line_of(name: &str, mask: &Normalised) -> Result<Line, Diagnostic> {
     Line::new(name, mask).ok_or_else(|| {
         Diagnostic::new("parameters", "the family does not run along a line of masks")

@@ -37,7 +37,7 @@ pub use budget::Budget;
 pub use classification::{Classification, classify};
 pub use continuity::{
     ContinuityRange, PointVerdict, Sharpness, certified_range, certified_verdict, continuity_at,
-    continuity_range, region_of,
+    continuity_range, highest_continuity, region_of,
 };
 pub use contractivity::{NormRange, Work, norm_range, norm_values};
 pub use degrees::{Degrees, GenerationDegree, ReproductionDegree, Stratum, degrees};

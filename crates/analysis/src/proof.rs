@@ -6,11 +6,9 @@ use refinable_certificate::{
     verify,
 };
 use refinable_reals::{Bound, RealAlgebraic, Region, common_roots};
-use refinable_spectral::{
-    Constant, Division, certificate_end, decide, divide, expanding, real_algebraic,
-};
+use refinable_spectral::{Constant, Division, certificate_end, decide, divide, expanding};
 
-use crate::continuity::{PointVerdict, Sharpness};
+use crate::continuity::{PointVerdict, Sharpness, region_of};
 use crate::contractivity::{Work, level_sets};
 use crate::line::Line;
 use crate::stability::{Instability, instability, reduction};
@@ -307,10 +305,7 @@ fn word_at(x: &Rational, word: &str) -> Lemma {
 /// The closed interval on which a word lemma proves expansion.
 fn expanded_by(lemma: &Lemma) -> Region {
     let Lemma::Word { from, to, .. } = lemma else { return Region::empty() };
-    let bound = |end: &Option<End>| {
-        end.as_ref().map_or(Bound::Infinite, |e| Bound::Closed(real_algebraic(e)))
-    };
-    Region::interval(bound(from), bound(to))
+    region_of(&[Interval { from: from.clone(), to: to.clone(), ends: "[]".into() }])
 }
 
 /// Short rational ends inside an open interval, at most a five-hundredth of its length from its own.

@@ -44,13 +44,8 @@ pub(crate) fn check(certificate: &Certificate) -> Fits {
             check_end(to)?;
         }
     }
-    let inner = |lemma: &Lemma| match lemma {
-        Lemma::At { lemmas, .. }
-        | Lemma::Convergence { lemmas }
-        | Lemma::Reduced { lemmas, .. } => 1 + lemmas.len(),
-        _ => 1,
-    };
-    let count = certificate.lemmas.iter().map(inner).sum();
+    let inside = |lemma: &Lemma| 1 + lemma.inside().map_or(0, <[Lemma]>::len);
+    let count = certificate.lemmas.iter().map(inside).sum();
     at_most(count, LEMMAS, "more than 5000 lemmas")?;
     let family = &certificate.family;
     certificate.lemmas.iter().try_for_each(|lemma| check_lemma(family, lemma))
@@ -143,10 +138,7 @@ pub(crate) const NESTED: &str = "an `at`, `convergence` or `reduced` lemma insid
 
 /// The lemmas inside a lemma.
 fn check_inner(family: &Family, lemmas: &[Lemma]) -> Fits {
-    let nested = |lemma: &Lemma| {
-        matches!(lemma, Lemma::At { .. } | Lemma::Convergence { .. } | Lemma::Reduced { .. })
-    };
-    if lemmas.iter().any(nested) {
+    if lemmas.iter().any(|lemma| lemma.inside().is_some()) {
         return Err(NESTED);
     }
     lemmas.iter().try_for_each(|lemma| check_lemma(family, lemma))

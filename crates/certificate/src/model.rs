@@ -216,6 +216,18 @@ pub enum Lemma {
     },
 }
 
+impl Lemma {
+    /// The lemmas inside this one, if it is of a kind that has any.
+    pub fn inside(&self) -> Option<&[Lemma]> {
+        match self {
+            Lemma::At { lemmas, .. }
+            | Lemma::Convergence { lemmas }
+            | Lemma::Reduced { lemmas, .. } => Some(lemmas),
+            _ => None,
+        }
+    }
+}
+
 /// `Σ (weight / 2^weight_bits) u_index`; `None` where a vertex is met by construction.
 pub type Combination = Option<Vec<Term>>;
 

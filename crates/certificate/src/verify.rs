@@ -141,13 +141,8 @@ fn count(lemmas: &[Lemma]) -> BTreeMap<&'static str, usize> {
     let mut counts = BTreeMap::new();
     for lemma in lemmas {
         *counts.entry(kind(lemma)).or_insert(0) += 1;
-        if let Lemma::At { lemmas, .. }
-        | Lemma::Convergence { lemmas }
-        | Lemma::Reduced { lemmas, .. } = lemma
-        {
-            for (kind, n) in count(lemmas) {
-                *counts.entry(kind).or_insert(0) += n;
-            }
+        for (kind, n) in count(lemma.inside().unwrap_or_default()) {
+            *counts.entry(kind).or_insert(0) += n;
         }
     }
     counts

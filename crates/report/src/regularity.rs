@@ -62,6 +62,7 @@ pub fn regularity_table(scheme: &Scheme, found: &Regularity) -> Document {
         "stable": found.stable,
         "word": found.word,
         "divided_order": found.divided_order,
+        "reduced_by": found.factor.as_ref().map(|factor| factor.display("z")),
     });
     Document { grids: vec![grid], summary: None, json }
 }

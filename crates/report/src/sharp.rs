@@ -178,13 +178,7 @@ pub fn proof_text(certificate: &Certificate) -> String {
 fn words(certificate: &Certificate) -> Vec<String> {
     let mut words: Vec<String> = Vec::new();
     for lemma in &certificate.lemmas {
-        let inner = match lemma {
-            Lemma::At { lemmas, .. }
-            | Lemma::Convergence { lemmas }
-            | Lemma::Reduced { lemmas, .. } => lemmas.as_slice(),
-            other => std::slice::from_ref(other),
-        };
-        for lemma in inner {
+        for lemma in lemma.inside().unwrap_or(std::slice::from_ref(lemma)) {
             if let Lemma::Word { word, .. } = lemma
                 && !words.contains(word)
             {

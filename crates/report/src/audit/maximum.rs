@@ -8,7 +8,7 @@ use std::cmp::Ordering;
 use refinable_algebra::{
     Parameter, ParameterFraction, ParameterPolynomial, Rational, Ring, decimal,
 };
-use refinable_analysis::PointVerdict;
+use refinable_analysis::{PointVerdict, highest_continuity};
 use refinable_papers::Bound;
 use refinable_reals::{Component, Interval, Point};
 use refinable_scheme::{Diagnostic, Scheme, Substitution};
@@ -99,22 +99,12 @@ fn excluded(
     })
 }
 
-/// With `N+1` coefficients a scheme of arity two is at most `C^(N-2)`, stable or not: the values of
-/// `φ^(j)` at the `N-1` integers inside the support are an eigenvector of `(a_{2i-k})` for the
-/// eigenvalue `2^-j`, and not zero, or `φ^(j)` would vanish at all dyadic numbers.
-///
-/// # Source
-/// I. Daubechies and J. C. Lagarias, *Two-scale difference equations I*, 1991.
+/// The support alone refutes C^n, stable or not.
 fn excluded_by_support(scheme: &Scheme, continuity: usize) -> Option<Excluded> {
-    let (lowest, highest) = scheme.mask().support();
-    let width = usize::try_from(highest - lowest).ok()?;
-    (continuity + 2 > width && scheme.mask().arity() == 2).then(|| Excluded {
-        certificates: Vec::new(),
-        reason: Some(format!(
-            "a limit function of support width {width} is at most C^{}",
-            width.saturating_sub(2)
-        )),
-    })
+    let most = highest_continuity(scheme.mask()).filter(|most| continuity > *most)?;
+    let width = scheme.mask().support_width();
+    let reason = format!("a limit function of support width {width} is at most C^{most}");
+    Some(Excluded { certificates: Vec::new(), reason: Some(reason) })
 }
 
 /// The largest n with C^n proved for a scheme without free parameters.
