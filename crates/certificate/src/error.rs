@@ -43,6 +43,14 @@ pub enum Part {
     },
     /// The conclusion.
     Conclusion,
+    /// The box of a map, and how it is cut.
+    Box,
+    /// The stability of a map.
+    Stability,
+    /// A node of a map.
+    Node(usize),
+    /// A section of a map.
+    Section(usize),
 }
 
 impl fmt::Display for Part {
@@ -55,6 +63,10 @@ impl fmt::Display for Part {
                 write!(f, "lemma {index} ({kind}), inside it lemma {inner} ({inner_kind})")
             }
             Part::Conclusion => f.write_str("conclusion"),
+            Part::Box => f.write_str("box"),
+            Part::Stability => f.write_str("stability"),
+            Part::Node(index) => write!(f, "node {index}"),
+            Part::Section(index) => write!(f, "section {index}"),
         }
     }
 }

@@ -115,14 +115,16 @@ pub(crate) fn with_squares(p: &[Integer]) -> Vec<Integer> {
 }
 
 /// `p / (1 + z + … + z^(m-1))`, from `q (1 - z^m) = p (1 - z)`.
-fn divide_by_geometric(p: &[Integer], m: usize) -> Option<Vec<Integer>> {
+pub(crate) fn divide_by_geometric<R: Ring>(p: &[R], m: usize) -> Option<Vec<R>> {
     let length = p.len().checked_sub(m - 1).filter(|&n| n > 0)?;
-    let zero = Integer::zero();
-    let mut quotient: Vec<Integer> = Vec::with_capacity(p.len() + 1);
+    let zero = R::zero();
+    let mut quotient: Vec<R> = Vec::with_capacity(p.len() + 1);
     for i in 0..=p.len() {
-        let difference = p.get(i).unwrap_or(&zero) - i.checked_sub(1).map_or(&zero, |k| &p[k]);
-        let earlier = i.checked_sub(m).map_or(&zero, |k| &quotient[k]);
-        quotient.push(difference + earlier);
+        let before = i.checked_sub(1).map_or(&zero, |k| &p[k]);
+        let difference = p.get(i).unwrap_or(&zero).minus(before);
+        quotient.push(
+            i.checked_sub(m).map_or_else(|| difference.clone(), |k| difference.plus(&quotient[k])),
+        );
     }
     let exact = quotient.split_off(length).iter().all(Ring::is_zero);
     exact.then_some(quotient)
@@ -297,14 +299,20 @@ impl Letters {
 }
 
 /// `A_ε[i][j] = c_{o+ε+i-mj}`, row by row, for each `ε`.
-fn matrices(c: &[Integer], m: usize) -> Vec<Vec<Integer>> {
-    let d = dimension(c.len() - 1, m);
+pub(crate) fn matrices<R: Ring>(c: &[R], m: usize) -> Vec<Vec<R>> {
+    let all = places(c.len(), m).into_iter();
+    let entry = |place: Option<usize>| place.map_or_else(R::zero, |i| c[i].clone());
+    all.map(|places| places.into_iter().map(entry).collect()).collect()
+}
+
+/// The index of `c` of each entry of the matrices, row by row, for each `ε`; `None` for zero.
+pub(crate) fn places(length: usize, m: usize) -> Vec<Vec<Option<usize>>> {
+    let d = dimension(length - 1, m);
     let first = (m - 1) * (d - 1);
-    let entry = |letter: usize, k: usize| {
-        let index = (first + letter + k / d).checked_sub(m * (k % d));
-        index.and_then(|i| c.get(i)).cloned().unwrap_or_else(Integer::zero)
+    let place = |letter: usize, k: usize| {
+        (first + letter + k / d).checked_sub(m * (k % d)).filter(|&i| i < length)
     };
-    (0..m).map(|letter| (0..d * d).map(|k| entry(letter, k)).collect()).collect()
+    (0..m).map(|letter| (0..d * d).map(|k| place(letter, k)).collect()).collect()
 }
 
 /// Checks that another family runs along the line of masks as the certificate says.

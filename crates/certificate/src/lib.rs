@@ -16,6 +16,7 @@
 //! | `regularity` | enclosures of binary logarithms |
 //! | `real`, `line` | real algebraic numbers; intervals and what they cover |
 //! | `roots`, `gcd`, `modular`, `determinant` | isolation, divisors, determinants of polynomials |
+//! | `map` | [`MapCertificate`], [`verify_map`]: families of two parameters |
 //! | `order`, `fixed` | the order of rational numbers; bounds in fixed point |
 //! | `work` | bounded effort |
 //!
@@ -35,6 +36,7 @@ mod jury;
 mod lemma;
 mod limits;
 mod line;
+mod map;
 mod model;
 mod modular;
 mod nonnegative;
@@ -55,6 +57,7 @@ mod word;
 mod work;
 
 pub use error::{Invalid, Part, Unreadable};
+pub use map::*;
 pub use model::*;
 pub use number::Number;
 pub use verify::{Verified, verify};

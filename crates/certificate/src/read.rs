@@ -1,5 +1,7 @@
 //! From bytes to a certificate and back.
 
+use serde::de::DeserializeOwned;
+
 use crate::error::Unreadable;
 use crate::limits;
 use crate::model::{Certificate, FORMAT, VERSION};
@@ -10,12 +12,7 @@ impl Certificate {
     /// # Errors
     /// [`Unreadable`] if it has not the right form or is too large.
     pub fn read(bytes: &[u8]) -> Result<Certificate, Unreadable> {
-        if bytes.len() > limits::FILE {
-            return Err(Unreadable::TooLarge("a file of more than 64 MiB".into()));
-        }
-        scan(bytes).map_err(|what| Unreadable::TooLarge(what.into()))?;
-        let certificate: Certificate = serde_json::from_slice(bytes)
-            .map_err(|error| Unreadable::Malformed(shortened(&error.to_string())))?;
+        let certificate: Certificate = parse(bytes)?;
         if certificate.format != FORMAT {
             return Err(Unreadable::Malformed(format!("the format is not {FORMAT:?}")));
         }
@@ -30,6 +27,16 @@ impl Certificate {
     pub fn to_json(&self) -> String {
         serde_json::to_string(self).expect("every field has a JSON form")
     }
+}
+
+/// JSON of bounded size and depth.
+pub(crate) fn parse<T: DeserializeOwned>(bytes: &[u8]) -> Result<T, Unreadable> {
+    if bytes.len() > limits::FILE {
+        return Err(Unreadable::TooLarge("a file of more than 64 MiB".into()));
+    }
+    scan(bytes).map_err(|what| Unreadable::TooLarge(what.into()))?;
+    serde_json::from_slice(bytes)
+        .map_err(|error| Unreadable::Malformed(shortened(&error.to_string())))
 }
 
 /// Checks, without any memory, that the nesting is not too deep, no string or number too long and

@@ -1,0 +1,226 @@
+//! Polynomial inequalities that show that the product along a word has a large eigenvalue.
+
+use refinable_algebra::{Integer, Matrix, Polynomial, Ring, integer};
+
+use crate::map::family::PlaneScheme;
+use crate::map::form::{Form, degree};
+use crate::map::model::{Eigenvalue, Inequality};
+use crate::work::{Check, ensure, fail};
+
+/// Square matrices of polynomials over a denominator; together they have the eigenvalues of the product
+/// along a word, or of a square root of it.
+pub(crate) struct Blocks {
+    matrices: Vec<Matrix<Form>>,
+    denominator: Integer,
+    /// How many letters the product has.
+    pub length: usize,
+}
+
+/// The longest word, and the largest degree of an inequality.
+const LONGEST: usize = 12;
+const DEGREE: usize = 24;
+
+impl Blocks {
+    /// The blocks of the matrices `B_ε` along a word, the bound included.
+    pub fn new(scheme: &PlaneScheme, continuity: usize, word: &str) -> Check<Self> {
+        let digit = |c: char| c.to_digit(10).map(|d| d as usize).filter(|&d| d < scheme.arity);
+        let letters: Option<Vec<usize>> = word.chars().map(digit).collect();
+        let Some(letters) = letters.filter(|l| (1..=LONGEST).contains(&l.len())) else {
+            return fail("a word is empty, too long, or has a letter that is no matrix");
+        };
+        let d = scheme.dimension();
+        let matrices = scheme.letters();
+        let matrix = |e: usize| Matrix::from_fn(d, d, |i, j| matrices[e][i * d + j].clone());
+        let along = |letters: &[usize]| {
+            letters.iter().fold(Matrix::identity(d), |product, &e| matrix(e).times(&product))
+        };
+        let (first, second) = letters.split_at(letters.len() / 2);
+        let mirrors = first.iter().zip(second).all(|(a, b)| a + b == scheme.arity - 1);
+        // Π_w = (J Π_u)² if the word is u followed by its mirror image.
+        let halved = scheme.is_mirrored() && letters.len() % 2 == 0 && mirrors;
+        let (product, length) = if halved {
+            let product = along(first);
+            (Matrix::from_fn(d, d, |i, j| product.entry(d - 1 - i, j).clone()), first.len())
+        } else {
+            (along(&letters), letters.len())
+        };
+        let denominator = (&scheme.denominator * scheme.bound(continuity)?).power(length as u32);
+        Ok(Blocks { matrices: blocks(product), denominator, length })
+    }
+
+    /// How many there are.
+    pub fn count(&self) -> usize {
+        self.matrices.len()
+    }
+
+    /// A polynomial that is positive wherever all eigenvalues of a block are less than the radius in
+    /// modulus: `det(r I - B)`, `det(r I + B)` or `Π_{i<j} (r² - λ_i λ_j)`, up to a positive factor.
+    pub fn polynomial(&self, block: usize, eigenvalue: Eigenvalue, radius: u64) -> Check<Form> {
+        let Some(matrix) = self.matrices.get(block) else { return fail("there is no such block") };
+        ensure(radius >= 1, "a radius below one")?;
+        let size = matrix.shape().0;
+        let largest = (0..size * size).map(|k| degree(matrix.entry(k / size, k % size))).max();
+        let pairs = eigenvalue == Eigenvalue::Pair;
+        ensure(!pairs || size >= 2, "a block with one eigenvalue has no pair")?;
+        let weight = if pairs { size * (size - 1) } else { size };
+        let small = weight * largest.unwrap_or(0) <= DEGREE;
+        ensure(small, "an inequality of degree above 24")?;
+        let scale = integer(radius.try_into().unwrap_or(i64::MAX)) * &self.denominator;
+        // det(λ - M) at λ = scale μ, in powers of μ.
+        let characteristic = matrix.characteristic_polynomial();
+        let coefficients: Vec<Form> = characteristic
+            .coefficients()
+            .iter()
+            .enumerate()
+            .map(|(k, c)| c.scaled(&Polynomial::constant(scale.power(k as u32))))
+            .collect();
+        Ok(match eigenvalue {
+            Eigenvalue::Positive => coefficients.iter().fold(Form::zero(), |s, c| s.plus(c)),
+            Eigenvalue::Negative => {
+                let signed = coefficients.iter().enumerate();
+                let sign = |k: usize| if (size - k).is_multiple_of(2) { 1 } else { -1 };
+                signed.fold(Form::zero(), |s, (k, c)| {
+                    s.plus(&c.scaled(&Polynomial::constant(integer(sign(k)))))
+                })
+            }
+            Eigenvalue::Pair => inner_matrix(&coefficients).determinant(),
+        })
+    }
+}
+
+/// What an inequality says, as a polynomial.
+pub(crate) fn polynomial(
+    scheme: &PlaneScheme,
+    continuity: usize,
+    inequality: &Inequality,
+) -> Check<Form> {
+    let blocks = Blocks::new(scheme, continuity, &inequality.word)?;
+    blocks.polynomial(inequality.block, inequality.eigenvalue, inequality.radius)
+}
+
+/// Whether an eigenvalue so large means that the scheme diverges, whatever the shifts: the joint
+/// spectral radius is at least `m^(k-1)` then.
+pub(crate) fn shows_divergence(
+    scheme: &PlaneScheme,
+    continuity: usize,
+    inequality: &Inequality,
+) -> Check<bool> {
+    let length = Blocks::new(scheme, continuity, &inequality.word)?.length;
+    let needed = integer(scheme.arity as i64).power((continuity * length) as u32);
+    Ok(Integer::from(inequality.radius) >= needed)
+}
+
+/// Matrices that have the eigenvalues of the matrix together: diagonal entries beside which a first or
+/// last row or column is zero, and two of what is left if it is equal to its half turn.
+fn blocks(matrix: Matrix<Form>) -> Vec<Matrix<Form>> {
+    let mut all = Vec::new();
+    let mut rest = matrix;
+    while let Some((alone, others)) = without_corner(&rest) {
+        all.push(alone);
+        rest = others;
+    }
+    let n = rest.shape().0;
+    let centred = (0..n * n).all(|k| {
+        let (i, j) = (k / n, k % n);
+        rest.entry(i, j) == rest.entry(n - 1 - i, n - 1 - j)
+    });
+    if n < 2 || !centred {
+        all.extend((n > 0).then_some(rest));
+        return all;
+    }
+    // On the vectors that are the same read backwards, and on those that are the opposite.
+    let (even, odd) = (n.div_ceil(2), n / 2);
+    all.push(Matrix::from_fn(even, even, |i, j| match n - 1 - j {
+        k if k == j => rest.entry(i, j).clone(),
+        k => rest.entry(i, j).plus(rest.entry(i, k)),
+    }));
+    all.push(Matrix::from_fn(odd, odd, |i, j| rest.entry(i, j).minus(rest.entry(i, n - 1 - j))));
+    all
+}
+
+/// A first or last diagonal entry that is an eigenvalue, and the matrix without its row and column.
+fn without_corner(matrix: &Matrix<Form>) -> Option<(Matrix<Form>, Matrix<Form>)> {
+    let n = matrix.shape().0;
+    let alone = |k: usize| {
+        let others = || (0..n).filter(move |&i| i != k);
+        others().all(|i| matrix.entry(i, k).is_zero())
+            || others().all(|i| matrix.entry(k, i).is_zero())
+    };
+    let corner = [0, n.checked_sub(1)?].into_iter().find(|&k| alone(k))?;
+    let skip = usize::from(corner == 0);
+    let entry = Matrix::from_fn(1, 1, |_, _| matrix.entry(corner, corner).clone());
+    let others = |i: usize, j: usize| matrix.entry(i + skip, j + skip).clone();
+    Some((entry, Matrix::from_fn(n - 1, n - 1, others)))
+}
+
+/// `X - Y` with `X[i][j] = a_{d-j+i}`, `Y[i][j] = a_{d-2-i-j}`, of order `d-1`: its determinant is
+/// `a_d^(d-1) Π_{i<j} (1 - λ_i λ_j)` (Jury 1974).
+fn inner_matrix(a: &[Form]) -> Matrix<Form> {
+    let d = a.len() - 1;
+    Matrix::from_fn(d - 1, d - 1, |i, j| {
+        let upper = if j >= i { a[d - (j - i)].clone() } else { Form::zero() };
+        match (d - 2).checked_sub(i + j) {
+            Some(k) => upper.minus(&a[k]),
+            None => upper,
+        }
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn constant(c: i64) -> Form {
+        Form::constant(Polynomial::constant(integer(c)))
+    }
+
+    fn characteristic(matrix: &Matrix<Form>) -> Polynomial<Form> {
+        matrix.characteristic_polynomial()
+    }
+
+    /// A matrix equal to its half turn, with a frame of zeros around it.
+    #[test]
+    fn blocks_have_the_eigenvalues_of_the_matrix() {
+        for n in 0..6 {
+            let plain = |i: usize, j: usize| ((3 * i * i + 5 * j + i * j) % 11) as i64;
+            let matrix = Matrix::from_fn(n + 2, n + 2, |i, j| match (i, j) {
+                (i, j) if (1..=n).contains(&i) && (1..=n).contains(&j) => {
+                    constant(plain(i - 1, j - 1) + plain(n - i, n - j))
+                }
+                (0, j) if j > 0 => constant(0),
+                (i, j) if i != j && j == n + 1 => constant(0),
+                (i, j) => constant((i + 2 * j) as i64),
+            });
+            let blocks = blocks(matrix.clone());
+            let product = blocks.iter().map(characteristic);
+            let one = Polynomial::constant(constant(1));
+            let product = product.fold(one, |p: Polynomial<Form>, q| p.times(&q));
+            assert_eq!(product, characteristic(&matrix), "{n}");
+            assert!(blocks.len() >= if n < 2 { n + 2 } else { 4 });
+        }
+    }
+
+    /// The eigenvalues 3, -5 and 2 of a triangular matrix, over the denominator 2.
+    #[test]
+    fn signs_tell_large_eigenvalues() {
+        let entries = [[3, 1, 4], [0, -5, 1], [0, 0, 2]];
+        let matrix = Matrix::from_fn(3, 3, |i, j| constant(entries[i][j]));
+        let blocks = Blocks { matrices: vec![matrix], denominator: integer(2), length: 1 };
+        let value = |eigenvalue, radius| {
+            let form = blocks.polynomial(0, eigenvalue, radius).unwrap();
+            form.coefficient(0).coefficient(0)
+        };
+        for r in 1..4_i64 {
+            let s = 2 * r;
+            let positive = (s - 3) * (s + 5) * (s - 2);
+            let negative = (s + 3) * (s - 5) * (s + 2);
+            assert_eq!(value(Eigenvalue::Positive, r as u64), integer(positive));
+            assert_eq!(value(Eigenvalue::Negative, r as u64), integer(negative));
+            let pair = (s * s + 15) * (s * s - 6) * (s * s + 10);
+            // The leading coefficient s³ squared, against s² for each of three pairs.
+            assert_eq!(value(Eigenvalue::Pair, r as u64), integer(pair));
+        }
+        assert!(blocks.polynomial(1, Eigenvalue::Positive, 1).is_err());
+        assert!(blocks.polynomial(0, Eigenvalue::Positive, 0).is_err());
+    }
+}

@@ -1,0 +1,41 @@
+//! Where in the plane shifts may fail to be stable.
+
+use refinable_algebra::{Integer, Polynomial, Rational, Ring};
+
+use crate::map::family::PlaneScheme;
+use crate::resultant::{of_squares, resultant};
+use crate::work::{Check, Work};
+
+/// Whether the shifts are stable at a point for a reason that holds almost everywhere: neither do the
+/// submasks of `c` have a common zero, nor is `z² ≠ 1` a zero of `c(-z)` together with `z`.
+///
+/// Both say that a resultant does not vanish, which is a polynomial in the coordinates.
+pub(crate) fn is_generic(
+    scheme: &PlaneScheme,
+    point: &[Rational; 2],
+    work: &mut Work,
+) -> Check<bool> {
+    let [even, odd, alternating] = scheme.halves_and_alternating(point);
+    Ok(scheme.arity == 2
+        && are_coprime(&even, &odd, work)?
+        && are_coprime(&alternating, &squares(&alternating, work)?, work)?)
+}
+
+fn constants(coefficients: &[Integer]) -> Vec<Polynomial<Integer>> {
+    coefficients.iter().cloned().map(Polynomial::constant).collect()
+}
+
+/// The polynomial with the squares of the zeros.
+fn squares(coefficients: &[Integer], work: &mut Work) -> Check<Vec<Integer>> {
+    let squares = of_squares(&constants(coefficients), work)?;
+    Ok(squares.iter().map(|c| c.coefficient(0)).collect())
+}
+
+/// Whether the resultant of two polynomials of formal degrees does not vanish.
+fn are_coprime(a: &[Integer], b: &[Integer], work: &mut Work) -> Check<bool> {
+    let (long, short) = if a.len() >= b.len() { (a, b) } else { (b, a) };
+    if long.len() <= 1 {
+        return Ok(long.iter().chain(short).any(|c| !c.is_zero()));
+    }
+    Ok(!resultant(&constants(long), &constants(short), work)?.is_zero())
+}

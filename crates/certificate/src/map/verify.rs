@@ -1,0 +1,298 @@
+//! All nodes of a map, and what is proved where.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use rayon::prelude::*;
+use refinable_algebra::{Integer, Rational};
+
+use crate::error::{Invalid, Part};
+use crate::family::{Scheme, places};
+use crate::map::family::{PlaneScheme, check_section, parts};
+use crate::map::form::{Form, is_nowhere_positive};
+use crate::map::inequality::{Blocks, polynomial, shows_divergence};
+use crate::map::model::{
+    CellPolytope, Eigenvalue, Inequality, MAP_FORMAT, MapCertificate, Node, PlaneFamily, Section,
+    Terms,
+};
+use crate::map::polygon::{Line, Polygon};
+use crate::map::polytope::{self, Control};
+use crate::map::stability::is_generic;
+use crate::model::{Conclusion, VERSION};
+use crate::number::Number;
+use crate::verify::verify;
+use crate::work::{Check, Reason, Work, ensure, fail};
+
+/// What is proved on a piece of a map.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub enum CellVerdict {
+    /// C^n holds everywhere on it.
+    Proved,
+    /// C^n fails on it: everywhere, or wherever the shifts are stable.
+    Refuted {
+        /// Whether stable shifts are needed.
+        if_stable: bool,
+    },
+    /// Nothing is claimed.
+    Undecided,
+}
+
+/// A convex piece of the plane of `(x, y)`, closed.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Cell {
+    /// Where.
+    pub polygon: Polygon,
+    /// What is proved.
+    pub verdict: CellVerdict,
+    /// Its node.
+    pub node: usize,
+}
+
+/// Checks pieces of a map, one at a time.
+pub struct MapChecker {
+    scheme: PlaneScheme,
+    continuity: usize,
+    /// The difference symbol of the order `n + 1`, if there is one.
+    lower: Option<Vec<Form>>,
+    mirrored: bool,
+}
+
+impl MapChecker {
+    /// For C^n of a family.
+    ///
+    /// # Errors
+    /// [`Invalid`] if the family is not affine, normalised and divisible as it says, or too large.
+    pub fn new(family: &PlaneFamily, continuity: usize) -> Result<MapChecker, Invalid> {
+        let scheme = PlaneScheme::new(family).map_err(invalid(Part::Family))?;
+        let lower = match scheme.bound(continuity) {
+            Ok(_) => Some(scheme.lower_difference(continuity).map_err(invalid(Part::Family))?),
+            Err(_) => None,
+        };
+        let mirrored = scheme.is_mirrored();
+        Ok(MapChecker { scheme, continuity, lower, mirrored })
+    }
+
+    /// Whether `‖c_n‖ < 1` on the closed polygon.
+    pub fn has_small_norm(&self, polygon: &Polygon) -> bool {
+        let Some(lower) = &self.lower else { return false };
+        let m = self.scheme.arity;
+        self.scheme.controls(lower, polygon).into_iter().all(|(values, denominator)| {
+            (0..m).all(|j| {
+                let row =
+                    values.iter().skip(j).step_by(m).map(refinable_algebra::Ordered::absolute);
+                row.sum::<Integer>() < denominator
+            })
+        })
+    }
+
+    /// Whether the polytope proves C^n on the closed polygon.
+    pub fn accepts(&self, polygon: &Polygon, polytope: &CellPolytope) -> bool {
+        self.check_polytope(polygon, polytope, &mut Work::new()).is_ok()
+    }
+
+    /// All inequalities for the blocks of a word with one radius, as polynomials in `x` and `y` that
+    /// are not positive only where the radius is reached. Those of too high a degree are left out.
+    pub fn inequalities(&self, word: &str, radius: u64) -> Vec<(Inequality, Terms)> {
+        let Ok(blocks) = Blocks::new(&self.scheme, self.continuity, word) else {
+            return Vec::new();
+        };
+        let kinds = [Eigenvalue::Positive, Eigenvalue::Negative, Eigenvalue::Pair];
+        let all = (0..blocks.count()).flat_map(|block| kinds.map(|kind| (block, kind)));
+        all.filter_map(|(block, eigenvalue)| {
+            let form = blocks.polynomial(block, eigenvalue, radius).ok()?;
+            let inequality = Inequality { word: word.into(), block, eigenvalue, radius };
+            Some((inequality, terms(&form)))
+        })
+        .collect()
+    }
+
+    /// Whether the inequality holds on the closed polygon.
+    pub fn refutes(&self, polygon: &Polygon, inequality: &Inequality) -> bool {
+        let form = polynomial(&self.scheme, self.continuity, inequality);
+        form.and_then(|form| is_nowhere_positive(&form, polygon, &mut Work::new())).unwrap_or(false)
+    }
+
+    /// Whether the shifts are stable at a point of the plane for a reason that holds almost everywhere.
+    pub fn is_generic(&self, point: &[Rational; 2]) -> bool {
+        is_generic(&self.scheme, point, &mut Work::new()).unwrap_or(false)
+    }
+
+    fn check_polytope(
+        &self,
+        polygon: &Polygon,
+        polytope: &CellPolytope,
+        work: &mut Work,
+    ) -> Check<()> {
+        let bound = self.scheme.bound(self.continuity)?;
+        ensure(!polytope.mirrored || self.mirrored, "the difference symbol is not symmetric")?;
+        let places = places(self.scheme.difference.len(), self.scheme.arity);
+        let controls = self.scheme.controls(&self.scheme.difference, polygon);
+        let control = |(values, denominator): (Vec<Integer>, Integer)| {
+            let matrix = |places: &Vec<Option<usize>>| {
+                places.iter().map(|place| place.map(|i| &values[i])).collect()
+            };
+            let matrices: Vec<Vec<Option<&Integer>>> = places.iter().map(matrix).collect();
+            Control::new(&matrices, &(denominator * &bound))
+        };
+        let controls: Vec<Control> = controls.into_iter().map(control).collect::<Check<_>>()?;
+        polytope::check(polytope, self.scheme.dimension(), &controls, work)
+    }
+}
+
+fn terms(form: &Form) -> Terms {
+    let rows = form.coefficients().iter().enumerate();
+    let terms = rows.flat_map(|(j, row)| {
+        let row = row.coefficients().iter().enumerate();
+        row.map(move |(i, c)| (Number(Rational::from(c.clone())), i as u32, j as u32))
+    });
+    terms.filter(|(c, ..)| c.0 != Rational::from(Integer::from(0))).collect()
+}
+
+fn invalid(part: Part) -> impl Fn(Reason) -> Invalid {
+    move |Reason(reason)| Invalid { part: part.clone(), reason }
+}
+
+/// Checks a map: the family, that the pieces make up the box, and the proof on every piece. Returns
+/// the pieces. The answer does not depend on the number of threads.
+///
+/// # Errors
+/// [`Invalid`]: the first thing that fails.
+pub fn verify_map(map: &MapCertificate) -> Result<Vec<Cell>, Invalid> {
+    let known = map.format == MAP_FORMAT && map.version == VERSION;
+    ensure(known, "an unknown format or version").map_err(invalid(Part::Family))?;
+    let checker = MapChecker::new(&map.family, map.continuity)?;
+    let pieces = pieces(map).map_err(invalid(Part::Box))?;
+    let reasons = Reasons::new(map, &checker)?;
+    let check = |(node, polygon): (usize, Polygon)| {
+        let verdict = reasons.check(&polygon, &map.nodes[node], &mut Work::new());
+        let verdict = verdict.map_err(invalid(Part::Node(node)))?;
+        Ok(Cell { polygon, verdict, node })
+    };
+    let cells: Vec<Result<Cell, Invalid>> = pieces.into_par_iter().map(check).collect();
+    let cells = cells.into_iter().collect::<Result<_, _>>()?;
+    for (index, section) in map.sections.iter().enumerate() {
+        let checked = check_certificate(section, map.continuity);
+        let scheme = checked.map_err(invalid(Part::Section(index)))?;
+        let [origin, direction] =
+            [&section.origin, &section.direction].map(|p| [p[0].0.clone(), p[1].0.clone()]);
+        check_section(&checker.scheme, &scheme, &origin, &direction, &mut Work::new())
+            .map_err(invalid(Part::Section(index)))?;
+    }
+    Ok(cells)
+}
+
+/// The certificate of a section proves something about C^n.
+fn check_certificate(section: &Section, continuity: usize) -> Check<Scheme> {
+    let certificate = &section.certificate;
+    let about = matches!(&certificate.conclusion,
+        Conclusion::Continuity { continuity: n, .. } if *n == continuity);
+    ensure(about, "a section is about something else")?;
+    ensure(certificate.family.curve.is_none(), "a section that is a curve")?;
+    verify(certificate).map_err(|invalid| Reason(invalid.to_string()))?;
+    Scheme::new(&certificate.family, &mut Work::new())
+}
+
+const MOST_NODES: usize = 200_000;
+
+/// The pieces that are not cut further, with their nodes, in the order of the nodes. Every node is
+/// reached once, from one before it or from the box.
+fn pieces(map: &MapCertificate) -> Check<Vec<(usize, Polygon)>> {
+    let parts = parts(&map.family, &map.window)?;
+    ensure(parts.len() == map.roots.len(), "not one root for each part of the box")?;
+    ensure(map.nodes.len() <= MOST_NODES, "more than 200000 nodes")?;
+    let mut polygons: Vec<Option<Polygon>> = vec![None; map.nodes.len()];
+    let place =
+        |at: usize, after: Option<usize>, polygon: Polygon, all: &mut Vec<Option<Polygon>>| {
+            let free = all.get(at).is_some_and(Option::is_none) && after.is_none_or(|n| n < at);
+            ensure(free, "a node that does not exist, or is reached twice")?;
+            all[at] = Some(polygon);
+            Ok(())
+        };
+    for (&root, part) in map.roots.iter().zip(parts) {
+        place(root, None, part, &mut polygons)?;
+    }
+    let mut leaves = Vec::new();
+    for (index, node) in map.nodes.iter().enumerate() {
+        let Some(polygon) = polygons[index].take() else {
+            return fail("a node that is not reached");
+        };
+        let Node::Cut { line: [a, b, c], below, above } = node else {
+            leaves.push((index, polygon));
+            continue;
+        };
+        let Some(line) = Line::new(&a.0, &b.0, &c.0) else { return fail("a cut that is no line") };
+        for (child, part) in [below, above].into_iter().zip(polygon.cut(&line)) {
+            let Some(part) = part else { return fail("a cut that misses its piece") };
+            place(*child, Some(index), part, &mut polygons)?;
+        }
+    }
+    Ok(leaves)
+}
+
+/// What the proofs on the pieces have in common.
+struct Reasons<'a> {
+    checker: &'a MapChecker,
+    /// Whether the shifts are stable almost everywhere.
+    stable: bool,
+    /// The polynomial of each inequality that occurs, and whether it shows divergence.
+    inequalities: BTreeMap<&'a Inequality, Arc<(Form, bool)>>,
+}
+
+impl<'a> Reasons<'a> {
+    fn new(map: &'a MapCertificate, checker: &'a MapChecker) -> Result<Self, Invalid> {
+        let stable = map.stable_at.as_ref().map(|[x, y]| [x.0.clone(), y.0.clone()]);
+        let stable = match stable {
+            None => false,
+            Some(point) => {
+                let generic = is_generic(&checker.scheme, &point, &mut Work::new());
+                generic
+                    .and_then(|generic| ensure(generic, "the shifts are not shown to be stable"))
+                    .map_err(invalid(Part::Stability))?;
+                true
+            }
+        };
+        let mut inequalities = BTreeMap::new();
+        for (index, node) in map.nodes.iter().enumerate() {
+            if let Node::Word(inequality) = node
+                && !inequalities.contains_key(inequality)
+            {
+                let (scheme, n) = (&checker.scheme, checker.continuity);
+                let form = polynomial(scheme, n, inequality)
+                    .and_then(|form| Ok((form, shows_divergence(scheme, n, inequality)?)));
+                inequalities
+                    .insert(inequality, Arc::new(form.map_err(invalid(Part::Node(index)))?));
+            }
+        }
+        Ok(Reasons { checker, stable, inequalities })
+    }
+
+    fn check(&self, polygon: &Polygon, node: &Node, work: &mut Work) -> Check<CellVerdict> {
+        match node {
+            Node::Cut { .. } | Node::Undecided => Ok(CellVerdict::Undecided),
+            Node::Norm => {
+                ensure(self.checker.has_small_norm(polygon), "the norm is not below one")?;
+                Ok(CellVerdict::Proved)
+            }
+            Node::Polytope(polytope) => {
+                self.checker.check_polytope(polygon, polytope, work)?;
+                Ok(CellVerdict::Proved)
+            }
+            Node::Word(inequality) => {
+                let (form, diverges) = &*self.inequalities[inequality];
+                let holds = is_nowhere_positive(form, polygon, work)?;
+                ensure(holds, "the inequality is not shown to hold")?;
+                self.refuted(!diverges)
+            }
+            Node::Indivisible => {
+                let divisible = self.checker.scheme.is_divisible(self.checker.continuity + 1);
+                ensure(!divisible, "the power of σ divides the symbol")?;
+                self.refuted(true)
+            }
+        }
+    }
+
+    fn refuted(&self, if_stable: bool) -> Check<CellVerdict> {
+        ensure(!if_stable || self.stable, "stable shifts are needed and not shown")?;
+        Ok(CellVerdict::Refuted { if_stable })
+    }
+}
