@@ -10,6 +10,8 @@
 //! | `sublevel` | where all rows of a norm are below a bound, by branch and bound |
 //! | `contractivity` | [`NormRange`]: the exact parameter set that norms prove |
 //! | `line`, `moebius` | [`Line`]: families along a line of masks |
+//! | `plane` | [`Plane`]: families of two parameters, as planes of masks |
+//! | `map` | [`Map`]: where in a box of two parameters C^n holds and fails, with the certificate |
 //! | `stability` | where smoothness follows contraction; reduced masks |
 //! | `continuity`, `proof` | [`ContinuityRange`]: where C^n holds and fails, with the certificate |
 //! | `regularity` | [`Regularity`]: the Hölder exponent of one scheme |
@@ -23,7 +25,9 @@ mod contractivity;
 mod degrees;
 mod difference;
 mod line;
+mod map;
 mod moebius;
+mod plane;
 mod stability;
 
 mod norm;
@@ -43,7 +47,9 @@ pub use contractivity::{NormRange, Work, norm_range, norm_values};
 pub use degrees::{Degrees, GenerationDegree, ReproductionDegree, Stratum, degrees};
 pub use difference::{ClearedSymbol, DifferenceSymbol};
 pub use line::Line;
+pub use map::{Area, Map, MapVerdict, default_window, map};
 pub use norm::{Comparison, Norm, NormRow};
 pub use piecewise::RowCondition;
-pub use refinable_spectral::Options;
+pub use plane::Plane;
+pub use refinable_spectral::{Options, Window};
 pub use regularity::{Regularity, regularity};

@@ -72,6 +72,16 @@ impl Line {
         Some(line(base, direction, Some(curve)))
     }
 
+    /// The line of masks `base + x direction` with the parameter `x`, or a single mask without one.
+    pub(crate) fn through(
+        name: &str,
+        arity: usize,
+        parameter: Option<Parameter>,
+        [base, direction]: [Laurent<Rational>; 2],
+    ) -> Self {
+        Line { name: name.into(), arity, parameter, base, direction, curve: None }
+    }
+
     /// `c_n` on the line, in integers over a common denominator.
     ///
     /// # Panics
@@ -184,20 +194,8 @@ impl Line {
     /// If `σ^k` does not divide the symbol.
     pub fn pencil(&self, order: usize, bound: &Rational) -> Pencil {
         let scale = Rational::from_i64(self.arity as i64).power(order as u32 - 1) / bound;
-        let (lowest, length) = self.extent();
-        let top = length - 1 - order * (self.arity - 1);
-        let m = self.arity;
-        let d = top.div_ceil(m - 1).max(1);
-        let origin = (m - 1) * (d - 1);
-        let matrices = |part: &Laurent<Rational>| -> Vec<Matrix<Rational>> {
-            let (c, remainder) = part.divide_by_geometric(m, order);
-            assert!(remainder.is_zero(), "the order divides");
-            let entry = |letter: usize, i: usize, j: usize| {
-                c.coefficient(lowest + (origin + letter + i) as i64 - (m * j) as i64) * &scale
-            };
-            (0..m).map(|e| Matrix::from_fn(d, d, |i, j| entry(e, i, j))).collect()
-        };
-        Pencil::new(matrices(&self.base), matrices(&self.direction))
+        let of = |part| letters(part, self.arity, order, self.extent(), &scale);
+        Pencil::new(of(&self.base), of(&self.direction))
     }
 
     /// The pencil `x A_ε` of a line without direction.
@@ -245,6 +243,29 @@ impl Line {
             }),
         }
     }
+}
+
+/// The matrices `scale · A_ε[i][j] = c_{o+ε+i-mj}` of `c = a / σ^k`, for a part `a` of a mask whose first
+/// exponent and length are given.
+///
+/// # Panics
+/// If `σ^k` does not divide.
+pub(crate) fn letters(
+    part: &Laurent<Rational>,
+    m: usize,
+    order: usize,
+    (lowest, length): (i64, usize),
+    scale: &Rational,
+) -> Vec<Matrix<Rational>> {
+    let top = length - 1 - order * (m - 1);
+    let d = top.div_ceil(m - 1).max(1);
+    let origin = (m - 1) * (d - 1);
+    let (c, remainder) = part.divide_by_geometric(m, order);
+    assert!(remainder.is_zero(), "the order divides");
+    let entry = |letter: usize, i: usize, j: usize| {
+        c.coefficient(lowest + (origin + letter + i) as i64 - (m * j) as i64) * scale
+    };
+    (0..m).map(|e| Matrix::from_fn(d, d, |i, j| entry(e, i, j))).collect()
 }
 
 /// Whether `P/Q` is a bijection of the projective line.

@@ -36,6 +36,11 @@ impl AffineSymbol {
         Ok(AffineSymbol { p, q, denominator })
     }
 
+    /// The coefficients of a symbol without parameter.
+    pub fn values(&self) -> Vec<Rational> {
+        self.p.iter().map(|p| Rational::new(p.clone(), self.denominator.clone())).collect()
+    }
+
     /// The degree that the number of coefficients gives.
     pub fn degree(&self) -> usize {
         self.p.len() - 1

@@ -14,17 +14,25 @@
 //! | `search` | polytopes on closed intervals and up to exact ends |
 //! | `division` | [`divide`]: the line, divided at radius one; [`expanding`]: one side of it; [`decide`] at a single value |
 //! | `radius` | [`radius()`](radius()): the radius of one set of matrices |
+//! | `plane` | [`PlanePencil`]: matrices that are polynomials in two variables |
+//! | `common` | one polytope for several sets of matrices |
+//! | `outline` | [`outline()`](outline()): a box around the set on which matrices contract |
+//! | `partition` | [`Partition`]: polygons of the plane, divided at radius one |
 //! | `float` | from exact numbers to floats and back |
 //!
 //! This is the one room with floats. They find proofs; a proof counts once the independent checker
 //! has accepted it.
 
 mod body;
+mod common;
 mod division;
 mod float;
 mod gauge;
 mod leading;
+mod outline;
+mod partition;
 mod pencil;
+mod plane;
 mod radius;
 mod recipe;
 mod rough;
@@ -36,7 +44,10 @@ mod word;
 mod writing;
 
 pub use division::{Constant, Division, Options, decide, divide, expanding};
+pub use outline::{Window, outline};
+pub use partition::{Partition, Tree};
 pub use pencil::Pencil;
+pub use plane::PlanePencil;
 pub use radius::{Radius, radius};
 pub use search::{certificate_end, real_algebraic};
 pub use word::Word;

@@ -43,7 +43,7 @@ pub(crate) fn polytope(
     let units = writer.units()?;
     let mut images: Vec<Option<Vec<Images>>> = vec![None; body.vertices.len()];
     let mut kept: Vec<usize> = rounded.orbit_vertices();
-    kept.extend(units.iter().flatten().map(|(atom, _)| rounded.vertex_of(*atom)));
+    kept.extend(units.iter().flatten().map(|(atom, _)| rounded.vertex_of(*atom).0));
     while let Some(vertex) = kept.pop() {
         if images[vertex].is_some() {
             continue;
@@ -53,20 +53,20 @@ pub(crate) fn polytope(
         let of: Vec<Images> = of.collect::<Option<_>>()?;
         let written =
             of.iter().flat_map(|of| of.inner.weights.iter().chain(&of.end.weights).chain(&of.rest));
-        kept.extend(written.map(|(atom, _)| rounded.vertex_of(*atom)));
+        kept.extend(written.map(|(atom, _)| rounded.vertex_of(*atom).0));
         images[vertex] = Some(of);
     }
     Some(rounded.assemble(moved.as_ref(), span, precision, &units, &images))
 }
 
 /// The body with its vertices rounded.
-struct Rounded {
-    integers: Vec<Vec<i64>>,
-    body: Body,
+pub(crate) struct Rounded {
+    pub integers: Vec<Vec<i64>>,
+    pub body: Body,
 }
 
 impl Rounded {
-    fn new(body: &Body, precision: Precision) -> Self {
+    pub fn new(body: &Body, precision: Precision) -> Self {
         let scale = 2f64.powi(precision.bits as i32);
         let round = |v: &Vec<f64>| v.iter().map(|x| (x * scale).round() as i64).collect();
         let integers: Vec<Vec<i64>> = body.vertices.iter().map(round).collect();
@@ -75,11 +75,12 @@ impl Rounded {
         Rounded { integers, body: body.with_vertices(vertices) }
     }
 
-    fn vertex_of(&self, atom: Atom) -> usize {
+    /// The vertex that an atom is, or of which it is the mirror image.
+    pub fn vertex_of(&self, atom: Atom) -> (usize, bool) {
         let (Atom::Plain(k) | Atom::Conjugate(k)) = atom else {
             unreachable!("tiny atoms are no part of a representation")
         };
-        self.body.vertex_of(k).0
+        self.body.vertex_of(k)
     }
 
     fn orbit_vertices(&self) -> Vec<usize> {

@@ -142,7 +142,7 @@ impl<'a> Writer<'a> {
     }
 
     /// A representation at the end with room for all that rounding costs.
-    fn inside(&mut self, y: &[f64]) -> Option<Written> {
+    pub fn inside(&mut self, y: &[f64]) -> Option<Written> {
         ACCURACIES.iter().find_map(|&accuracy| self.inside_by(y, accuracy))
     }
 

@@ -10,11 +10,14 @@ use crate::number::Number;
 use crate::work::{Check, Work, ensure, fail};
 
 /// A family, checked to be normalised and divisible.
+#[derive(Debug)]
 pub(crate) struct PlaneScheme {
     /// The arity `m`.
     pub arity: usize,
     /// The order `k`.
     pub order: usize,
+    /// The exponent of the first coefficient.
+    pub lowest: i64,
     /// The numerators of the mask.
     pub symbol: Vec<Form>,
     /// The numerators of `m^(k-1) a / σ^k`.
@@ -54,7 +57,15 @@ impl PlaneScheme {
         let factor = Polynomial::constant(integer(m as i64).power(order as u32 - 1));
         let difference: Vec<Form> = quotient.iter().map(|c| c.scaled(&factor)).collect();
         let degree = symbol.iter().map(degree).max().unwrap_or(0);
-        Ok(PlaneScheme { arity: m, order, symbol, difference, denominator, degree })
+        Ok(PlaneScheme {
+            arity: m,
+            order,
+            lowest: family.lowest,
+            symbol,
+            difference,
+            denominator,
+            degree,
+        })
     }
 
     /// The size of the matrices.
@@ -220,12 +231,12 @@ pub(crate) fn parts(family: &PlaneFamily, window: &[[Number; 2]; 2]) -> Check<Ve
 /// Checks that the family of another certificate runs along a line of the plane.
 pub(crate) fn check_section(
     scheme: &PlaneScheme,
-    other: &Scheme,
+    other: (&Scheme, i64),
     origin: &[Rational; 2],
     direction: &[Rational; 2],
     work: &mut Work,
 ) -> Check<()> {
-    ensure(other.symbol.p.len() == scheme.symbol.len(), "a section has another length of masks")?;
+    let (other, lowest) = other;
     let point = direction.iter().all(Ring::is_zero);
     ensure(point == other.constant, "a section does not move with its parameter")?;
     // Polynomials of degree at most n are the same if they are at n + 1 values of the parameter.
@@ -234,12 +245,15 @@ pub(crate) fn check_section(
         let at = [0, 1].map(|i| &origin[i] + &direction[i] * &t);
         work.products(8 * scheme.symbol.len(), 256, 256)?;
         let member = other.symbol.at(&t, work)?;
-        let mask = scheme.mask_at(&at);
-        let same = mask
-            .iter()
-            .zip(&member.p)
-            .all(|(a, p)| *a == Rational::new(p.clone(), member.denominator.clone()));
+        let [ours, theirs] = [(scheme.mask_at(&at), scheme.lowest), (member.values(), lowest)]
+            .map(|(mask, lowest)| without_zeros(mask, lowest));
+        let same = ours == theirs;
         ensure(same, "a section is about other masks than those of the line")?;
     }
     Ok(())
+}
+
+/// The coefficients of a mask with their exponents, zeros left out.
+fn without_zeros(mask: Vec<Rational>, lowest: i64) -> Vec<(i64, Rational)> {
+    (lowest..).zip(mask).filter(|(_, c)| !c.is_zero()).collect()
 }

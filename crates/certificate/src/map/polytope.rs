@@ -2,7 +2,7 @@
 //!
 //! Machine integers in fixed point, every rounding on the safe side; what would overflow is refused.
 
-use refinable_algebra::{Integer, Ring};
+use refinable_algebra::Integer;
 
 use crate::fixed::divide_up;
 use crate::map::model::{CellPolytope, Weights};

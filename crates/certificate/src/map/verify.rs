@@ -49,6 +49,7 @@ pub struct Cell {
 }
 
 /// Checks pieces of a map, one at a time.
+#[derive(Debug)]
 pub struct MapChecker {
     scheme: PlaneScheme,
     continuity: usize,
@@ -173,9 +174,10 @@ pub fn verify_map(map: &MapCertificate) -> Result<Vec<Cell>, Invalid> {
     for (index, section) in map.sections.iter().enumerate() {
         let checked = check_certificate(section, map.continuity);
         let scheme = checked.map_err(invalid(Part::Section(index)))?;
+        let lowest = section.certificate.family.lowest;
         let [origin, direction] =
             [&section.origin, &section.direction].map(|p| [p[0].0.clone(), p[1].0.clone()]);
-        check_section(&checker.scheme, &scheme, &origin, &direction, &mut Work::new())
+        check_section(&checker.scheme, (&scheme, lowest), &origin, &direction, &mut Work::new())
             .map_err(invalid(Part::Section(index)))?;
     }
     Ok(cells)

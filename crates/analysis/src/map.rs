@@ -1,0 +1,373 @@
+//! Where in a box of two parameters a family is C^n, and where it is not.
+
+use refinable_algebra::{Parameter, Polynomial, Rational, Ring, rational};
+use refinable_certificate::{
+    Cell, CellVerdict, MAP_FORMAT, MapCertificate, MapChecker, Node, Number, Polygon, Section,
+    VERSION, verify_map,
+};
+use refinable_reals::logarithm;
+use refinable_scheme::{Diagnostic, Normalised};
+use refinable_spectral::{Partition, Tree, Window, outline};
+
+use crate::continuity::Sharpness;
+use crate::line::Line;
+use crate::plane::Plane;
+use crate::proof::Proof;
+
+/// A map with its certificate, checked.
+#[derive(Clone, Debug)]
+pub struct Map {
+    /// The family.
+    pub plane: Plane,
+    /// The proof.
+    pub certificate: MapCertificate,
+    /// The pieces of the plane of `(x, y)`, as the certificate proves them.
+    pub cells: Vec<Cell>,
+    checker: std::sync::Arc<MapChecker>,
+}
+
+/// What a map says at a point.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum MapVerdict {
+    /// C^n holds.
+    Proved,
+    /// C^n fails.
+    Refuted,
+    /// Nothing is said: the point is in no decided piece, or the shifts may be unstable there.
+    Undecided,
+}
+
+/// Bounds for an area in the plane of the parameters.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Area {
+    /// Not more than the area.
+    pub lower: Rational,
+    /// Not less.
+    pub upper: Rational,
+}
+
+/// The box that shows where C^n holds, with some margin.
+///
+/// # Errors
+/// Code `parameters` or `pole` if the family has no map.
+pub fn default_window(
+    name: &str,
+    mask: &Normalised,
+    continuity: usize,
+) -> Result<Window, Diagnostic> {
+    let plane = Plane::new(name, mask)?;
+    let order = plane.order();
+    // Beyond the order C^n holds on curves only: show where the highest order below holds.
+    let bound = bound(&plane, order, continuity.min(order.saturating_sub(1)));
+    Ok(outline(&plane.pencil_in_parameters(order.max(1), &bound)))
+}
+
+/// `m^(k-1-n)`.
+fn bound(plane: &Plane, order: usize, continuity: usize) -> Rational {
+    let exponent = (order.max(1) - 1).saturating_sub(continuity);
+    Rational::from_i64(plane.arity() as i64).power(exponent as u32)
+}
+
+/// Divides a box into pieces on which C^n is proved, refuted or left undecided.
+///
+/// # Errors
+/// Code `parameters` or `pole` if the family has no map, `box` if the box is empty, `certificate` if
+/// the proof does not hold or the family is too large for it.
+///
+/// # Source
+/// Convexity: what maps a polytope into its interior at the corners of a convex piece of a plane of
+/// matrices does so everywhere on it. The rest is in `docs/certificates.md`.
+pub fn map(
+    name: &str,
+    mask: &Normalised,
+    continuity: usize,
+    window: &Window,
+    sharpness: &Sharpness,
+) -> Result<Map, Diagnostic> {
+    let plane = Plane::new(name, mask)?;
+    check_window(window)?;
+    let order = plane.order();
+    if order == 0 {
+        let message = "(1 + z) does not divide the symbol for all values of the parameters";
+        return Err(Diagnostic::new("divisibility", message));
+    }
+    let family = plane.family(order);
+    let checker = MapChecker::new(&family, continuity).map_err(invalid)?;
+    let stable_at = generic_point(&plane, window, &checker).map(|p| p.map(Number));
+    let parts = parts(&plane, window);
+    let mut nodes = Vec::new();
+    let mut roots = Vec::new();
+    if continuity < order {
+        let pencil = plane.pencil(order, &bound(&plane, order, continuity));
+        let partition = Partition::new(&pencil, &checker, &parts);
+        for part in &parts {
+            roots.push(flatten(partition.divide(part), &mut nodes));
+        }
+        if continuity > 0 && stable_at.is_none() {
+            forget_refuted(&mut nodes);
+        }
+    } else {
+        let node = if stable_at.is_some() { Node::Indivisible } else { Node::Undecided };
+        roots = (0..parts.len()).collect();
+        nodes = vec![node; parts.len()];
+    }
+    let sections =
+        if continuity < order { Vec::new() } else { sections(&plane, continuity, sharpness) };
+    let certificate = MapCertificate {
+        format: MAP_FORMAT.into(),
+        version: VERSION,
+        family,
+        continuity,
+        window: window.clone().map(|span| span.map(Number)),
+        stable_at,
+        roots,
+        nodes,
+        sections,
+    };
+    let cells = verify_map(&certificate).map_err(invalid)?;
+    Ok(Map { plane, certificate, cells, checker: checker.into() })
+}
+
+fn invalid(invalid: refinable_certificate::Invalid) -> Diagnostic {
+    Diagnostic::new("certificate", format!("the certificate does not hold: {invalid}"))
+}
+
+fn check_window([u, v]: &Window) -> Result<(), Diagnostic> {
+    for [low, high] in [u, v] {
+        if low >= high {
+            let message = format!("the box is empty: {low} is not less than {high}");
+            return Err(Diagnostic::new("box", message)
+                .with_hint("give the lower end first: --box 'alpha=-1/4..3/4,beta=-1/2..1/2'"));
+        }
+    }
+    Ok(())
+}
+
+/// The box in the plane of `(x, y)`, cut where the factor vanishes.
+fn parts(plane: &Plane, [[u0, u1], [v0, v1]]: &Window) -> Vec<Polygon> {
+    let zero = plane.factor().map(|l| -l.coefficient(0) / l.coefficient(1));
+    let inside = zero.filter(|t| u0 < t && t < u1);
+    let ends: Vec<&Rational> = [u0].into_iter().chain(&inside).chain([u1]).collect();
+    let part = |pair: &[&Rational]| {
+        let corners = [(pair[0], v0), (pair[1], v0), (pair[1], v1), (pair[0], v1)];
+        let mut corners = corners.map(|(u, v)| plane.point(&[u.clone(), v.clone()])).to_vec();
+        corners.dedup();
+        if corners.len() > 1 && corners.first() == corners.last() {
+            corners.pop();
+        }
+        Polygon::new(&corners).or_else(|| {
+            corners.reverse();
+            Polygon::new(&corners)
+        })
+    };
+    ends.windows(2).filter_map(part).collect()
+}
+
+/// A point near the middle of the box at which the shifts are stable, as they are almost everywhere.
+fn generic_point(plane: &Plane, window: &Window, checker: &MapChecker) -> Option<[Rational; 2]> {
+    let candidates = [(5, 7), (3, 4), (6, 5), (2, 9), (8, 3), (7, 8)];
+    candidates.into_iter().find_map(|(i, j)| {
+        let at = |[low, high]: &[Rational; 2], k| low + (high - low) * rational(k, 11);
+        let point = plane.point(&[at(&window[0], i), at(&window[1], j)]);
+        checker.is_generic(&point).then_some(point)
+    })
+}
+
+/// The nodes of a tree, each before those of its parts; returns the first.
+fn flatten(tree: Tree, nodes: &mut Vec<Node>) -> usize {
+    let at = nodes.len();
+    match tree {
+        Tree::Leaf(node) => nodes.push(node),
+        Tree::Cut(line, parts) => {
+            nodes.push(Node::Undecided);
+            let (below, above) = *parts;
+            let (below, above) = (flatten(below, nodes), flatten(above, nodes));
+            nodes[at] = Node::Cut { line, below, above };
+        }
+    }
+    at
+}
+
+/// Without stable shifts a large eigenvalue refutes nothing.
+fn forget_refuted(nodes: &mut [Node]) {
+    for node in nodes {
+        if matches!(node, Node::Word(_)) {
+            *node = Node::Undecided;
+        }
+    }
+}
+
+/// C^n on the line, or at the point, where `σ^(n+1)` divides, if there is one and masks are affine.
+fn sections(plane: &Plane, continuity: usize, sharpness: &Sharpness) -> Vec<Section> {
+    let Some((origin, direction)) = common_line(&plane.divisibility(continuity + 1)) else {
+        return Vec::new();
+    };
+    let Some(masks) = plane.along(&origin, &direction) else { return Vec::new() };
+    let moves = direction.iter().any(|d| !d.is_zero());
+    let parameter = moves.then(|| Parameter::new("t"));
+    let line = Line::through(plane.name(), plane.arity(), parameter, masks);
+    let mut proof = Proof::new(&line, line.order(), continuity, sharpness);
+    proof.search();
+    let certificate = proof.certificate();
+    vec![Section { origin: origin.map(Number), direction: direction.map(Number), certificate }]
+}
+
+type Form = Polynomial<Polynomial<Rational>>;
+
+/// The line or point where affine polynomials in `x` and `y` vanish together: a point of it, and how it
+/// goes on.
+fn common_line(conditions: &[Form]) -> Option<([Rational; 2], [Rational; 2])> {
+    let rows: Vec<[Rational; 3]> = conditions
+        .iter()
+        .map(|c| {
+            let at = |i: usize, j: usize| c.coefficient(j).coefficient(i);
+            [at(1, 0), at(0, 1), at(0, 0)]
+        })
+        .collect();
+    let minor =
+        |a: &[Rational; 3], b: &[Rational; 3], i: usize, j: usize| &a[i] * &b[j] - &a[j] * &b[i];
+    let first = rows.first()?;
+    let [a, b, c] = first;
+    let independent = rows.iter().find(|row| !minor(first, row, 0, 1).is_zero());
+    if let Some(second) = independent {
+        let determinant = minor(first, second, 0, 1);
+        let point =
+            [minor(first, second, 1, 2), minor(first, second, 2, 0)].map(|x| x / &determinant);
+        let on =
+            |row: &[Rational; 3]| (&row[0] * &point[0] + &row[1] * &point[1] + &row[2]).is_zero();
+        return rows.iter().all(on).then(|| (point, [Rational::zero(), Rational::zero()]));
+    }
+    let same = rows
+        .iter()
+        .all(|row| minor(first, row, 0, 2).is_zero() && minor(first, row, 1, 2).is_zero());
+    match (a.is_zero(), b.is_zero()) {
+        _ if !same => None,
+        (_, false) => Some(([Rational::zero(), -c / b], [Rational::one(), -a / b])),
+        (false, true) => Some(([-c / a, Rational::zero()], [Rational::zero(), Rational::one()])),
+        (true, true) => None,
+    }
+}
+
+impl Map {
+    /// The map that an earlier certificate proves, if it is about this family and holds.
+    pub fn certified(name: &str, mask: &Normalised, certificate: &MapCertificate) -> Option<Map> {
+        let plane = Plane::new(name, mask).ok()?;
+        if certificate.family != plane.family(plane.order()) {
+            return None;
+        }
+        let checker = MapChecker::new(&certificate.family, certificate.continuity).ok()?;
+        let cells = verify_map(certificate).ok()?;
+        Some(Map { plane, certificate: certificate.clone(), cells, checker: checker.into() })
+    }
+
+    /// The order `n`.
+    pub fn continuity(&self) -> usize {
+        self.certificate.continuity
+    }
+
+    /// The box.
+    pub fn window(&self) -> Window {
+        self.certificate.window.clone().map(|span| span.map(|end| end.0))
+    }
+
+    /// What the map says at a point of the box.
+    pub fn verdict_at(&self, parameters: &[Rational; 2]) -> MapVerdict {
+        let point = self.plane.point(parameters);
+        let around = self.cells.iter().filter(|cell| cell.polygon.contains(&point));
+        let verdicts: Vec<CellVerdict> = around.map(|cell| cell.verdict).collect();
+        self.combined(&verdicts, &point)
+    }
+
+    /// What closed pieces that contain a point say together.
+    fn combined(&self, verdicts: &[CellVerdict], point: &[Rational; 2]) -> MapVerdict {
+        let says = |verdict: CellVerdict| verdicts.contains(&verdict);
+        if says(CellVerdict::Proved) {
+            MapVerdict::Proved
+        } else if says(CellVerdict::Refuted { if_stable: false }) {
+            MapVerdict::Refuted
+        } else if says(CellVerdict::Refuted { if_stable: true })
+            && self.certificate.sections.is_empty()
+            && self.checker.is_generic(point)
+        {
+            MapVerdict::Refuted
+        } else {
+            MapVerdict::Undecided
+        }
+    }
+
+    /// The areas, in the plane of the parameters, of what is proved, refuted and undecided.
+    pub fn areas(&self) -> [Area; 3] {
+        let verdict = |cell: &Cell| match cell.verdict {
+            CellVerdict::Proved => 0,
+            CellVerdict::Refuted { .. } => 1,
+            CellVerdict::Undecided => 2,
+        };
+        let mut areas =
+            [0, 1, 2].map(|_| Area { lower: Rational::zero(), upper: Rational::zero() });
+        for cell in &self.cells {
+            let area = area(&cell.polygon.points(), self.plane.factor());
+            let sum = &mut areas[verdict(cell)];
+            sum.lower += area.lower;
+            sum.upper += area.upper;
+        }
+        areas
+    }
+}
+
+/// Binary places of logarithms in areas.
+const PLACES: u32 = 60;
+
+/// The area of a polygon of the plane of `(x, y)` in the plane of the parameters: `∮ y/l(x) dx`, up to its
+/// sign. On an edge `y = a + c l(x)` this is `a/l' log l(x) + c x`.
+fn area(points: &[[Rational; 2]], factor: Option<&Polynomial<Rational>>) -> Area {
+    let next = points.iter().cycle().skip(1);
+    let mut area = Area { lower: Rational::zero(), upper: Rational::zero() };
+    let mut add = |lower: Rational, upper: Rational| {
+        area.lower += lower;
+        area.upper += upper;
+    };
+    for ([x0, y0], [x1, y1]) in points.iter().zip(next) {
+        if x0 == x1 {
+            continue;
+        }
+        let Some(l) = factor else {
+            let part = (y0 + y1) * (x1 - x0) / rational(2, 1);
+            add(part.clone(), part);
+            continue;
+        };
+        let (l0, l1, slope) = (l.evaluate(x0), l.evaluate(x1), l.coefficient(1));
+        let c = (y1 - y0) / (&l1 - &l0);
+        let a = y0 - &c * &l0;
+        let part = &c * (x1 - x0);
+        add(part.clone(), part);
+        if a.is_zero() {
+            continue;
+        }
+        // Binary logarithms, times log 2.
+        let (low, high) = logarithm(&(&l1 / &l0), 2, PLACES);
+        let factor = a / slope;
+        let ends = [low, high].map(|log| &factor * log);
+        let [two_low, two_high] = natural_logarithm_of_two();
+        let products = ends.iter().flat_map(|e| [e * &two_low, e * &two_high]);
+        let products: Vec<Rational> = products.collect();
+        let least = products.iter().min().expect("four products").clone();
+        let most = products.iter().max().expect("four products").clone();
+        add(least, most);
+    }
+    // Counterclockwise the integral is minus the area, but where l is negative.
+    let sign = factor.map_or(Rational::one(), |l| {
+        let middle: Rational = points.iter().map(|p| l.evaluate(&p[0])).sum();
+        if middle < Rational::zero() { -Rational::one() } else { Rational::one() }
+    });
+    let (a, b) = (-&area.lower * &sign, -&area.upper * &sign);
+    if a <= b { Area { lower: a, upper: b } } else { Area { lower: b, upper: a } }
+}
+
+/// `log 2 = Σ 1/(k 2^k)`.
+fn natural_logarithm_of_two() -> [Rational; 2] {
+    let term = |k: u32| (Rational::from_i64(i64::from(k)) * Rational::from_i64(2).power(k)).recip();
+    let sum: Rational = (1..=PLACES + 10).map(term).sum();
+    // What is left is less than the last term.
+    let rest = term(PLACES + 10);
+    [sum.clone(), sum + rest]
+}

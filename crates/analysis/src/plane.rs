@@ -1,0 +1,269 @@
+//! Families of two parameters as surfaces, or planes, of masks.
+
+use std::collections::BTreeMap;
+
+use refinable_algebra::{
+    Laurent, Matrix, Monomial, Parameter, ParameterPolynomial, Polynomial, Rational, Ring,
+};
+use refinable_certificate::{Chart, Number, PlaneFamily, Terms};
+use refinable_scheme::{Diagnostic, Normalised};
+use refinable_spectral::PlanePencil;
+
+use crate::line::letters;
+
+/// A family of masks that are polynomials in two coordinates `x` and `y`.
+///
+/// The coordinates are the parameters `u` and `v` themselves, or `x = u` and `y = v l(u)` with an affine
+/// `l` that makes the masks affine: the families with the product `β(1-α)` are planes in the
+/// coefficients, where a polytope proves a whole convex piece by its corners alone.
+#[derive(Clone, Debug)]
+pub struct Plane {
+    name: String,
+    arity: usize,
+    parameters: [Parameter; 2],
+    /// `l`, if it is not constant.
+    factor: Option<Polynomial<Rational>>,
+    lowest: i64,
+    length: usize,
+    /// For each `x^i y^j` its coefficients in the mask.
+    parts: BTreeMap<(u32, u32), Laurent<Rational>>,
+    /// The same for `u^i v^j`.
+    in_parameters: BTreeMap<(u32, u32), Laurent<Rational>>,
+}
+
+/// The parts of a mask by exponents of two variables.
+type Parts = BTreeMap<(u32, u32), Laurent<Rational>>;
+
+impl Plane {
+    /// The surface of masks of a family.
+    ///
+    /// # Errors
+    /// Code `parameters` unless exactly two are free, `pole` if the mask has a denominator with a
+    /// parameter.
+    pub fn new(name: &str, mask: &Normalised) -> Result<Plane, Diagnostic> {
+        let parameters: Vec<Parameter> = mask.parameters().into_iter().collect();
+        let parameters: [Parameter; 2] =
+            parameters.try_into().map_err(|free: Vec<Parameter>| {
+                let names: Vec<&str> = free.iter().map(Parameter::name).collect();
+                let message = match names.len() {
+                    0 => "no parameter is free, and a map needs two".to_string(),
+                    n => format!("a map needs two free parameters, not {n}: {}", names.join(", ")),
+                };
+                let hint = match names.len() {
+                    0 => "`range` and `regularity` need no map",
+                    1 => "`range` divides the line of one parameter",
+                    _ => "set the others: --set NAME=VALUE",
+                };
+                Diagnostic::new("parameters", message).with_hint(hint)
+            })?;
+        let Some(denominator) = mask.denominator().as_constant() else {
+            let message = format!("the mask has the denominator {}", mask.denominator());
+            let hint = "maps are made of families whose masks are polynomials in both parameters";
+            return Err(Diagnostic::new("pole", message).with_hint(hint));
+        };
+        let numerator =
+            mask.numerator().scaled(&ParameterPolynomial::constant(denominator.recip()));
+        let (lowest, length) = (numerator.lowest(), numerator.coefficients().len());
+        let [u, v] = &parameters;
+        let plain = parts(&numerator, u, v);
+        // The roles may have to be exchanged.
+        let charts = [(u, v), (v, u)].into_iter().find_map(|(u, v)| {
+            let in_parameters = parts(&numerator, u, v);
+            let (factor, parts) = chart(&in_parameters)?;
+            Some(([u.clone(), v.clone()], Some(factor), parts, in_parameters))
+        });
+        let is_affine = plain.keys().all(|(i, j)| i + j <= 1);
+        let (parameters, factor, parts, in_parameters) = charts
+            .filter(|_| !is_affine)
+            .unwrap_or_else(|| (parameters.clone(), None, plain.clone(), plain.clone()));
+        let (name, arity) = (name.to_string(), mask.arity());
+        Ok(Plane { name, arity, parameters, factor, lowest, length, parts, in_parameters })
+    }
+
+    /// The parameters `u` and `v`.
+    pub fn parameters(&self) -> &[Parameter; 2] {
+        &self.parameters
+    }
+
+    /// What the family is called.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// `l`, if `y = v l(u)` is not `v`.
+    pub fn factor(&self) -> Option<&Polynomial<Rational>> {
+        self.factor.as_ref()
+    }
+
+    /// Whether the masks are affine in `x` and `y`.
+    pub fn is_affine(&self) -> bool {
+        self.parts.keys().all(|(i, j)| i + j <= 1)
+    }
+
+    /// The point `(x, y)` of the parameters.
+    pub fn point(&self, [u, v]: &[Rational; 2]) -> [Rational; 2] {
+        let y = self.factor.as_ref().map_or_else(|| v.clone(), |l| l.evaluate(u) * v);
+        [u.clone(), y]
+    }
+
+    /// The largest `k` for which `σ^k` divides the symbol everywhere.
+    pub fn order(&self) -> usize {
+        let divides = |k: usize| {
+            self.parts.values().all(|part| part.divide_by_geometric(self.arity, k).1.is_zero())
+        };
+        (1..).take_while(|&k| divides(k)).last().unwrap_or(0)
+    }
+
+    /// The family as a certificate has it.
+    pub fn family(&self, order: usize) -> PlaneFamily {
+        PlaneFamily {
+            name: self.name.clone(),
+            arity: self.arity,
+            parameters: self.parameters.each_ref().map(|p| p.name().to_string()),
+            order,
+            lowest: self.lowest,
+            mask: self.terms(&self.parts),
+            chart: self.factor.as_ref().map(|factor| Chart {
+                factor: factor.coefficients().iter().cloned().map(Number).collect(),
+                mask: self.terms(&self.in_parameters),
+            }),
+        }
+    }
+
+    fn terms(&self, parts: &Parts) -> Vec<Terms> {
+        let exponents = self.lowest..self.lowest + self.length as i64;
+        let coefficient = |e: i64| {
+            let all = parts.iter().map(|((i, j), part)| (Number(part.coefficient(e)), *i, *j));
+            all.filter(|(c, ..)| !c.0.is_zero()).collect()
+        };
+        exponents.map(coefficient).collect()
+    }
+
+    /// The matrices `A_ε / bound` of `c = m^(k-1) a / σ^k` on the plane of `(x, y)`.
+    ///
+    /// # Panics
+    /// If `σ^k` does not divide the symbol.
+    pub fn pencil(&self, order: usize, bound: &Rational) -> PlanePencil {
+        self.pencil_of(&self.parts, order, bound)
+    }
+
+    /// The same on the plane of the parameters.
+    pub fn pencil_in_parameters(&self, order: usize, bound: &Rational) -> PlanePencil {
+        self.pencil_of(&self.in_parameters, order, bound)
+    }
+
+    fn pencil_of(&self, parts: &Parts, order: usize, bound: &Rational) -> PlanePencil {
+        let scale = Rational::from_i64(self.arity as i64).power(order as u32 - 1) / bound;
+        let extent = (self.lowest, self.length);
+        let letters = |part| letters(part, self.arity, order, extent, &scale);
+        let terms: Vec<(u32, u32, Vec<Matrix<Rational>>)> =
+            parts.iter().map(|((i, j), part)| (*i, *j, letters(part))).collect();
+        let mirrored = terms.iter().all(|(_, _, set)| is_mirrored(set));
+        PlanePencil::new(&terms, mirrored)
+    }
+
+    /// The polynomials in `x` and `y` that vanish where `σ^order` divides the symbol.
+    pub fn divisibility(&self, order: usize) -> Vec<Polynomial<Polynomial<Rational>>> {
+        let remainders: Vec<((u32, u32), Laurent<Rational>)> = self
+            .parts
+            .iter()
+            .map(|(k, part)| (*k, part.divide_by_geometric(self.arity, order).1))
+            .collect();
+        let supports = remainders.iter().filter_map(|(_, r)| r.support());
+        let (low, high) = supports.fold(
+            (0, -1),
+            |(a, b), (c, d)| {
+                if a > b { (c, d) } else { (a.min(c), b.max(d)) }
+            },
+        );
+        let condition = |e: i64| {
+            remainders.iter().fold(Polynomial::zero(), |sum, ((i, j), r)| {
+                let row = Polynomial::monomial(r.coefficient(e), *i as usize);
+                sum.plus(&Polynomial::monomial(row, *j as usize))
+            })
+        };
+        (low..=high).map(condition).filter(|c| !c.is_zero()).collect()
+    }
+
+    /// The mask at a point of the plane of `(x, y)`, moving along a direction: `p + t q`.
+    ///
+    /// `None` if the masks are not affine.
+    pub fn along(
+        &self,
+        origin: &[Rational; 2],
+        direction: &[Rational; 2],
+    ) -> Option<[Laurent<Rational>; 2]> {
+        let part = |i: u32, j: u32| {
+            self.parts.get(&(i, j)).cloned().unwrap_or_else(|| Laurent::new(0, Vec::new()))
+        };
+        let [constant, by_x, by_y] = [part(0, 0), part(1, 0), part(0, 1)];
+        let linear = |[x, y]: &[Rational; 2]| by_x.scaled(x).plus(&by_y.scaled(y));
+        self.is_affine().then(|| [constant.plus(&linear(origin)), linear(direction)])
+    }
+
+    /// The exponent of the first coefficient, and how many there are.
+    pub fn extent(&self) -> (i64, usize) {
+        (self.lowest, self.length)
+    }
+
+    /// The arity `m`.
+    pub fn arity(&self) -> usize {
+        self.arity
+    }
+}
+
+fn is_mirrored(set: &[Matrix<Rational>]) -> bool {
+    let mirror = |m: &Matrix<Rational>| {
+        let d = m.shape().0;
+        Matrix::from_fn(d, d, |i, j| m.entry(d - 1 - i, d - 1 - j).clone())
+    };
+    set.iter().zip(set.iter().rev()).all(|(a, b)| mirror(a) == *b)
+}
+
+/// The coefficients of each `u^i v^j`.
+fn parts(numerator: &Laurent<ParameterPolynomial>, u: &Parameter, v: &Parameter) -> Parts {
+    let mut parts: BTreeMap<(u32, u32), Vec<(i64, Rational)>> = BTreeMap::new();
+    for (exponent, coefficient) in numerator.terms() {
+        for (monomial, c) in coefficient.terms() {
+            let key = |monomial: &Monomial| (monomial.exponent(u), monomial.exponent(v));
+            parts.entry(key(monomial)).or_default().push((exponent, c.clone()));
+        }
+    }
+    let laurent = |terms: Vec<(i64, Rational)>| {
+        let monomials = terms.into_iter().map(|(e, c)| Laurent::monomial(c, e));
+        monomials.fold(Laurent::new(0, Vec::new()), |sum, m| sum.plus(&m))
+    };
+    parts.into_iter().map(|(key, terms)| (key, laurent(terms))).collect()
+}
+
+/// `l` and the parts in `x = u`, `y = v l(u)`, if the mask is affine in these: it is affine in `u` and in
+/// `v`, and the coefficients of `v` and of `u v` are in one ratio.
+fn chart(parts: &Parts) -> Option<(Polynomial<Rational>, Parts)> {
+    let part = |i: u32, j: u32| parts.get(&(i, j));
+    let known = [(0, 0), (1, 0), (0, 1), (1, 1)];
+    if parts.keys().any(|key| !known.contains(key)) {
+        return None;
+    }
+    let product = part(1, 1)?;
+    let (exponent, slope) = product.terms().find(|(_, c)| !c.is_zero())?;
+    let nothing = Laurent::new(0, Vec::new());
+    let alone = part(0, 1).unwrap_or(&nothing);
+    let ratio = alone.coefficient(exponent) / slope;
+    if product.scaled(&ratio) != *alone {
+        return None;
+    }
+    // l is ratio + u in the smallest integers, its first coefficient positive.
+    let (_, primitive) = Polynomial::new(vec![ratio.clone(), Rational::one()]).cleared();
+    let negative = ratio < Rational::zero();
+    let factor = primitive.map(|c| {
+        let c = Rational::from(c.clone());
+        if negative { -c } else { c }
+    });
+    let scale = factor.coefficient(1).recip();
+    let mut plane = Parts::new();
+    for key in [(0, 0), (1, 0)] {
+        plane.extend(part(key.0, key.1).map(|p| (key, p.clone())));
+    }
+    plane.insert((0, 1), product.scaled(&scale));
+    Some((factor, plane))
+}
