@@ -7,7 +7,7 @@ use refinable_certificate::{
 };
 use refinable_reals::logarithm;
 use refinable_scheme::{Diagnostic, Normalised};
-use refinable_spectral::{Partition, Tree, Window, outline};
+use refinable_spectral::{Window, outline, partition};
 
 use crate::continuity::Sharpness;
 use crate::line::Line;
@@ -99,10 +99,8 @@ pub fn map(
     let mut roots = Vec::new();
     if continuity < order {
         let pencil = plane.pencil(order, &bound(&plane, order, continuity));
-        let partition = Partition::new(&pencil, &checker, &parts);
-        for part in &parts {
-            roots.push(flatten(partition.divide(part), &mut nodes));
-        }
+        let rest = rational(1, 160);
+        (roots, nodes) = partition(&pencil, &checker, &parts, plane.factor(), &rest, 4_000);
         if continuity > 0 && stable_at.is_none() {
             forget_refuted(&mut nodes);
         }
@@ -171,21 +169,6 @@ fn generic_point(plane: &Plane, window: &Window, checker: &MapChecker) -> Option
         let point = plane.point(&[at(&window[0], i), at(&window[1], j)]);
         checker.is_generic(&point).then_some(point)
     })
-}
-
-/// The nodes of a tree, each before those of its parts; returns the first.
-fn flatten(tree: Tree, nodes: &mut Vec<Node>) -> usize {
-    let at = nodes.len();
-    match tree {
-        Tree::Leaf(node) => nodes.push(node),
-        Tree::Cut(line, parts) => {
-            nodes.push(Node::Undecided);
-            let (below, above) = *parts;
-            let (below, above) = (flatten(below, nodes), flatten(above, nodes));
-            nodes[at] = Node::Cut { line, below, above };
-        }
-    }
-    at
 }
 
 /// Without stable shifts a large eigenvalue refutes nothing.

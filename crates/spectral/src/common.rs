@@ -16,7 +16,7 @@ use crate::writing::{Weights, Writer};
 /// In which ways a polytope is grown: by what part of the room images are to be inside, the length of
 /// unit vectors inside, and the largest number of vertices.
 const WAYS: [(f64, f64, usize); 4] =
-    [(0.25, 0.1, 40), (0.25, 0.01, 40), (0.05, 0.1, 120), (0.05, 0.01, 120)];
+    [(0.1, 1.0, 60), (0.1, 0.1, 60), (0.02, 1.0, 120), (0.02, 0.1, 120)];
 /// Binary places of vertices and weights, tried in turn.
 const PRECISIONS: [Precision; 3] = [
     Precision { bits: 12, weight_bits: 12 },

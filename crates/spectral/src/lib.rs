@@ -17,7 +17,8 @@
 //! | `plane` | [`PlanePencil`]: matrices that are polynomials in two variables |
 //! | `common` | one polytope for several sets of matrices |
 //! | `outline` | [`outline()`](outline()): a box around the set on which matrices contract |
-//! | `partition` | [`Partition`]: polygons of the plane, divided at radius one |
+//! | `partition` | [`partition()`](partition()): polygons of the plane, divided at radius one |
+//! | `front`, `geometry` | where the boundary runs through a polygon, in floats |
 //! | `float` | from exact numbers to floats and back |
 //!
 //! This is the one room with floats. They find proofs; a proof counts once the independent checker
@@ -27,7 +28,9 @@ mod body;
 mod common;
 mod division;
 mod float;
+mod front;
 mod gauge;
+mod geometry;
 mod leading;
 mod outline;
 mod partition;
@@ -45,7 +48,7 @@ mod writing;
 
 pub use division::{Constant, Division, Options, decide, divide, expanding};
 pub use outline::{Window, outline};
-pub use partition::{Partition, Tree};
+pub use partition::partition;
 pub use pencil::Pencil;
 pub use plane::PlanePencil;
 pub use radius::{Radius, radius};

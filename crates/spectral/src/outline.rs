@@ -4,8 +4,9 @@ use rayon::prelude::*;
 use refinable_algebra::Rational;
 
 use crate::float::dyadic;
+use crate::geometry::Place;
 use crate::leading::fastest;
-use crate::plane::{Place, PlanePencil};
+use crate::plane::PlanePencil;
 use crate::word::Word;
 
 /// The lower and upper ends of two intervals.

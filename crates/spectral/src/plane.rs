@@ -4,6 +4,7 @@ use nalgebra::DMatrix;
 use refinable_algebra::{Matrix, Rational};
 
 use crate::float::approximate;
+use crate::geometry::Place;
 
 /// The matrices `B_ε(x, y) = Σ x^i y^j B_ε^{ij}`, all of one size.
 #[derive(Clone, Debug)]
@@ -13,9 +14,6 @@ pub struct PlanePencil {
     degree: usize,
     mirrored: bool,
 }
-
-/// A point of the plane, or the values of something at one.
-pub(crate) type Place = [f64; 2];
 
 impl PlanePencil {
     /// The set with the given coefficients `(i, j, B^{ij})`; `mirrored` says that `B_{m-1-ε} = J B_ε J`

@@ -18,7 +18,7 @@ pub(crate) struct Blocks {
 
 /// The longest word, and the largest degree of an inequality.
 const LONGEST: usize = 12;
-const DEGREE: usize = 24;
+const DEGREE: usize = 16;
 
 impl Blocks {
     /// The blocks of the matrices `B_ε` along a word, the bound included.
@@ -64,7 +64,7 @@ impl Blocks {
         ensure(!pairs || size >= 2, "a block with one eigenvalue has no pair")?;
         let weight = if pairs { size * (size - 1) } else { size };
         let small = weight * largest.unwrap_or(0) <= DEGREE;
-        ensure(small, "an inequality of degree above 24")?;
+        ensure(small, "an inequality of degree above 16")?;
         let scale = integer(radius.try_into().unwrap_or(i64::MAX)) * &self.denominator;
         // det(λ - M) at λ = scale μ, in powers of μ.
         let characteristic = matrix.characteristic_polynomial();

@@ -91,15 +91,17 @@ impl MapChecker {
         self.check_polytope(polygon, polytope, &mut Work::new()).is_ok()
     }
 
-    /// All inequalities for the blocks of a word with one radius, as polynomials in `x` and `y` that
-    /// are not positive only where the radius is reached. Those of too high a degree are left out.
-    pub fn inequalities(&self, word: &str, radius: u64) -> Vec<(Inequality, Terms)> {
+    /// All inequalities for the blocks of a word with some radii, as polynomials in `x` and `y` that are
+    /// not positive only where the radius is reached. Those of too high a degree are left out.
+    pub fn inequalities(&self, word: &str, radii: &[u64]) -> Vec<(Inequality, Terms)> {
         let Ok(blocks) = Blocks::new(&self.scheme, self.continuity, word) else {
             return Vec::new();
         };
         let kinds = [Eigenvalue::Positive, Eigenvalue::Negative, Eigenvalue::Pair];
-        let all = (0..blocks.count()).flat_map(|block| kinds.map(|kind| (block, kind)));
-        all.filter_map(|(block, eigenvalue)| {
+        let all = radii.iter().flat_map(|&radius| {
+            (0..blocks.count()).flat_map(move |block| kinds.map(|kind| (radius, block, kind)))
+        });
+        all.filter_map(|(radius, block, eigenvalue)| {
             let form = blocks.polynomial(block, eigenvalue, radius).ok()?;
             let inequality = Inequality { word: word.into(), block, eigenvalue, radius };
             Some((inequality, terms(&form)))
