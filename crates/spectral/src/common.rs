@@ -16,7 +16,7 @@ use crate::writing::{Weights, Writer};
 /// In which ways a polytope is grown: by what part of the room images are to be inside, the length of
 /// unit vectors inside, and the largest number of vertices.
 const WAYS: [(f64, f64, usize); 4] =
-    [(0.1, 1.0, 60), (0.1, 0.1, 60), (0.02, 1.0, 120), (0.02, 0.1, 120)];
+    [(0.1, 1.0, 60), (0.1, 0.1, 60), (0.1, 0.1, 250), (0.02, 1.0, 120)];
 /// Binary places of vertices and weights, tried in turn.
 const PRECISIONS: [Precision; 3] = [
     Precision { bits: 12, weight_bits: 12 },
@@ -45,7 +45,12 @@ pub(crate) fn common_polytope(
     let growth = leaders[0].growth;
     let all: Vec<DMatrix<f64>> = sets.iter().flatten().cloned().collect();
     let near = leaders.iter().filter(|leader| leader.growth > NEAR * growth).take(MOST_STARTS);
-    let starts: Vec<Start> = near.flat_map(|leader| starts(sets, leader)).collect();
+    let mut starts: Vec<Vec<Start>> = near.map(|leader| starts(sets, leader)).collect();
+    if starts[0].len() > 1 {
+        // Planes that nearly agree do not help each other.
+        starts.truncate(1);
+    }
+    let starts = starts.concat();
     grown(&all, &starts, growth, mirrored).find_map(|body| {
         PRECISIONS.iter().find_map(|&precision| written(&body, &all, precision).filter(accept))
     })
