@@ -15,7 +15,7 @@
 //! | `division` | [`divide`]: the line, divided at radius one; [`expanding`]: one side of it; [`decide`] at a single value |
 //! | `radius` | [`radius()`](radius()): the radius of one set of matrices |
 //! | `plane` | [`PlanePencil`]: matrices that are polynomials in two variables |
-//! | `common` | one polytope for several sets of matrices |
+//! | `common`, `moving` | one polytope for several sets of matrices, or one that moves with the set |
 //! | `outline` | [`outline()`](outline()): a box around the set on which matrices contract |
 //! | `partition` | [`partition()`](partition()): polygons of the plane, divided at radius one |
 //! | `front`, `geometry` | where the boundary runs through a polygon, in floats |
@@ -32,6 +32,7 @@ mod front;
 mod gauge;
 mod geometry;
 mod leading;
+mod moving;
 mod outline;
 mod partition;
 mod pencil;

@@ -12,6 +12,7 @@ use crate::common::common_polytope;
 use crate::float::{approximate, dyadic};
 use crate::front::{Front, Sampler};
 use crate::geometry::{Place, area, diameter, extent};
+use crate::moving::moving_polytope;
 use crate::plane::PlanePencil;
 use crate::word::Word;
 
@@ -103,6 +104,13 @@ struct Open {
     role: Role,
 }
 
+impl Open {
+    /// The mean of the corners.
+    fn middle(&self) -> Place {
+        [0, 1].map(|i| self.corners.iter().map(|p| p[i]).sum::<f64>() / self.corners.len() as f64)
+    }
+}
+
 /// What becomes of a piece.
 enum Piece {
     Done(Node, f64),
@@ -184,7 +192,9 @@ impl Work<'_> {
             Role::Inside => Ok(true),
             Role::Outside => Ok(false),
         };
+        let turns = || self.pencil.degree() == 1 && self.sampler.turns(open.middle());
         let decided = match crossings {
+            Ok(true) if open.corners.len() > 3 && turns() => return self.cut_off_triangle(open),
             Ok(true) => self.prove(open),
             Ok(false) => self.refute(open),
             Err(ends) => {
@@ -220,7 +230,8 @@ impl Work<'_> {
     /// Decides a piece of which the role is known at once if that is easy.
     fn decided_or_open(&self, open: Open) -> Piece {
         let decided = match open.role {
-            Role::Inside => self.prove(&open),
+            Role::Inside if !self.sampler.turns(open.middle()) => self.prove(&open),
+            Role::Inside => return Piece::Open(open),
             _ => self.refute(&open),
         };
         match decided {
@@ -238,7 +249,14 @@ impl Work<'_> {
         let sets = self.pencil.controls(&corners);
         let accept = |polytope: &_| self.checker.accepts(&open.polygon, polytope);
         let mirrored = self.pencil.is_mirrored();
-        let found = common_polytope(&sets, mirrored, &self.sampler.words, &accept);
+        let words = &self.sampler.words;
+        let found = match <[_; 3]>::try_from(sets) {
+            Ok(sets) if self.sampler.turns(open.middle()) => {
+                moving_polytope(&sets, mirrored, words, &accept)
+            }
+            Ok(sets) => common_polytope(&sets, mirrored, words, &accept),
+            Err(sets) => common_polytope(&sets, mirrored, words, &accept),
+        };
         found.map(|polytope| Node::Polytope(Box::new(polytope)))
     }
 
@@ -260,6 +278,22 @@ impl Work<'_> {
         let across = [0, 1].map(|i| ((q[i] - p[i]) / length * 8.0).round() / 8.0);
         let (low, high) = extent(&open.corners, across);
         self.cut(open, across, 0.5 * (low + high), [Role::Unknown; 2])
+    }
+
+    /// Cuts along a diagonal.
+    fn cut_off_triangle(&self, open: &Open) -> Piece {
+        let points = open.polygon.points();
+        let [[ax, ay], [bx, by]] = [&points[0], &points[2]];
+        let (a, b) = (by - ay, ax - bx);
+        let c = &a * ax + &b * ay;
+        let parts = Line::new(&a, &b, &c).map(|line| open.polygon.cut(&line));
+        match parts {
+            Some([Some(below), Some(above)]) => {
+                let parts = [below, above].map(|part| Piece::Open(self.open(part, Role::Inside)));
+                Piece::Cut([a, b, c].map(Number), Box::new(parts))
+            }
+            _ => Piece::Done(Node::Undecided, open.area),
+        }
     }
 
     fn cut(&self, open: &Open, normal: Place, at: f64, roles: [Role; 2]) -> Piece {
