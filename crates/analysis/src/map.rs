@@ -1,13 +1,15 @@
 //! Where in a box of two parameters a family is C^n, and where it is not.
 
+use std::sync::{Arc, LazyLock};
+
 use refinable_algebra::{Parameter, Polynomial, Rational, Ring, rational};
 use refinable_certificate::{
-    Cell, CellVerdict, MAP_FORMAT, MapCertificate, MapChecker, Node, Number, Polygon, Section,
-    VERSION, verify_map,
+    Cell, CellVerdict, Inequality, MAP_FORMAT, MapCertificate, MapChecker, Node, Number, Polygon,
+    Section, Terms, VERSION, verify_map,
 };
 use refinable_reals::logarithm;
 use refinable_scheme::{Diagnostic, Normalised};
-use refinable_spectral::{Window, outline, partition};
+use refinable_spectral::{Effort, Window, outline, partition};
 
 use crate::continuity::Sharpness;
 use crate::line::Line;
@@ -23,7 +25,7 @@ pub struct Map {
     pub certificate: MapCertificate,
     /// The pieces of the plane of `(x, y)`, as the certificate proves them.
     pub cells: Vec<Cell>,
-    checker: std::sync::Arc<MapChecker>,
+    checker: Arc<MapChecker>,
 }
 
 /// What a map says at a point.
@@ -95,22 +97,21 @@ pub fn map(
     let checker = MapChecker::new(&family, continuity).map_err(invalid)?;
     let stable_at = generic_point(&plane, window, &checker).map(|p| p.map(Number));
     let parts = parts(&plane, window);
-    let mut nodes = Vec::new();
-    let mut roots = Vec::new();
+    let (roots, mut nodes, sections);
     if continuity < order {
         let pencil = plane.pencil(order, &bound(&plane, order, continuity));
-        let rest = rational(1, 160);
-        (roots, nodes) = partition(&pencil, &checker, &parts, plane.factor(), &rest, 4_000);
+        let effort = Effort { rest: rational(1, 160), nodes: 16_000 };
+        (roots, nodes) = partition(&pencil, &checker, &parts, plane.factor(), &effort);
         if continuity > 0 && stable_at.is_none() {
             forget_refuted(&mut nodes);
         }
+        sections = Vec::new();
     } else {
         let node = if stable_at.is_some() { Node::Indivisible } else { Node::Undecided };
         roots = (0..parts.len()).collect();
         nodes = vec![node; parts.len()];
+        sections = on_line(&plane, continuity, sharpness);
     }
-    let sections =
-        if continuity < order { Vec::new() } else { sections(&plane, continuity, sharpness) };
     let certificate = MapCertificate {
         format: MAP_FORMAT.into(),
         version: VERSION,
@@ -181,7 +182,7 @@ fn forget_refuted(nodes: &mut [Node]) {
 }
 
 /// C^n on the line, or at the point, where `σ^(n+1)` divides, if there is one and masks are affine.
-fn sections(plane: &Plane, continuity: usize, sharpness: &Sharpness) -> Vec<Section> {
+fn on_line(plane: &Plane, continuity: usize, sharpness: &Sharpness) -> Vec<Section> {
     let Some((origin, direction)) = common_line(&plane.divisibility(continuity + 1)) else {
         return Vec::new();
     };
@@ -278,6 +279,26 @@ impl Map {
         }
     }
 
+    /// The inequalities up to the boundary by which pieces are refuted, each once, with the polynomial in
+    /// `x` and `y` that vanishes on the boundary.
+    pub fn boundaries(&self) -> Vec<(Inequality, Terms)> {
+        let mut used: Vec<&Inequality> = Vec::new();
+        for node in &self.certificate.nodes {
+            if let Node::Word(inequality) = node
+                && inequality.radius == 1
+                && !used.contains(&inequality)
+            {
+                used.push(inequality);
+            }
+        }
+        used.sort();
+        let of = |inequality: &Inequality| {
+            let all = self.checker.inequalities(&inequality.word, &[1]);
+            all.into_iter().find(|(known, _)| known == inequality)
+        };
+        used.into_iter().filter_map(of).collect()
+    }
+
     /// The areas, in the plane of the parameters, of what is proved, refuted and undecided.
     pub fn areas(&self) -> [Area; 3] {
         let verdict = |cell: &Cell| match cell.verdict {
@@ -330,8 +351,8 @@ fn area(points: &[[Rational; 2]], factor: Option<&Polynomial<Rational>>) -> Area
         let (low, high) = logarithm(&(&l1 / &l0), 2, PLACES);
         let factor = a / slope;
         let ends = [low, high].map(|log| &factor * log);
-        let [two_low, two_high] = natural_logarithm_of_two();
-        let products = ends.iter().flat_map(|e| [e * &two_low, e * &two_high]);
+        let [two_low, two_high] = &*LOG_TWO;
+        let products = ends.iter().flat_map(|e| [e * two_low, e * two_high]);
         let products: Vec<Rational> = products.collect();
         let least = products.iter().min().expect("four products").clone();
         let most = products.iter().max().expect("four products").clone();
@@ -343,14 +364,28 @@ fn area(points: &[[Rational; 2]], factor: Option<&Polynomial<Rational>>) -> Area
         if middle < Rational::zero() { -Rational::one() } else { Rational::one() }
     });
     let (a, b) = (-&area.lower * &sign, -&area.upper * &sign);
-    if a <= b { Area { lower: a, upper: b } } else { Area { lower: b, upper: a } }
+    let (lower, upper) = if a <= b { (a, b) } else { (b, a) };
+    match factor {
+        None => Area { lower, upper },
+        Some(_) => Area { lower: floor(&lower), upper: ceil(&upper) },
+    }
 }
 
-/// `log 2 = Σ 1/(k 2^k)`.
-fn natural_logarithm_of_two() -> [Rational; 2] {
+/// Bounds for `log 2 = Σ 1/(k 2^k)`.
+static LOG_TWO: LazyLock<[Rational; 2]> = LazyLock::new(|| {
     let term = |k: u32| (Rational::from_i64(i64::from(k)) * Rational::from_i64(2).power(k)).recip();
     let sum: Rational = (1..=PLACES + 10).map(term).sum();
     // What is left is less than the last term.
     let rest = term(PLACES + 10);
-    [sum.clone(), sum + rest]
+    [floor(&sum), ceil(&(sum + rest))]
+});
+
+/// Rounded down to `PLACES + 20` binary places, so that sums stay short.
+fn floor(x: &Rational) -> Rational {
+    let unit = Rational::from_i64(2).power(PLACES + 20);
+    (x * &unit).floor() / unit
+}
+
+fn ceil(x: &Rational) -> Rational {
+    -floor(&-x)
 }

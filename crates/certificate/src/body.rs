@@ -316,7 +316,7 @@ fn add_real_multiple(sum: &mut [Integer], factor: i128, vector: &[i64]) {
 }
 
 /// The modulus of a weight, rounded upwards.
-pub(crate) fn modulus_up(term: &Term) -> u128 {
+fn modulus_up(term: &Term) -> u128 {
     let [a, b] = [term.re, term.im].map(|x| u128::from(x.unsigned_abs()));
     if b == 0 {
         return a;

@@ -64,6 +64,31 @@ pub enum Command {
         #[command(flatten)]
         format: FormatArgument,
     },
+    /// Where C^n holds over two parameters and where it fails, proved piece by piece
+    Map {
+        #[command(flatten)]
+        scheme: SchemeArguments,
+        /// The order n of C^n, or several: 2, 0..5
+        #[arg(long, short = 'n', value_name = "N[..M]")]
+        continuity: String,
+        /// The box, 'alpha=-1/4..3/4,beta=-1/2..1/2'; one that shows the set if left out
+        #[arg(long = "box", value_name = "BOX", allow_hyphen_values = true)]
+        window: Option<String>,
+        /// Draw a curve over the map, 'beta=(8*alpha-1)/(16*(1-alpha))'; repeatable
+        #[arg(long = "curve", value_name = "NAME=EXPRESSION", requires = "output")]
+        curves: Vec<String>,
+        /// Mark a point of the map, 'alpha=1/10,beta=-49/1152'; repeatable
+        #[arg(long = "mark", value_name = "POINT", requires = "output")]
+        marks: Vec<String>,
+        /// Write the map as a picture
+        #[arg(long, short, value_name = "FILE.svg")]
+        output: Option<PathBuf>,
+        /// Write the certificate of the map, of a single order
+        #[arg(long, value_name = "FILE.json")]
+        certificate: Option<PathBuf>,
+        #[command(flatten)]
+        format: FormatArgument,
+    },
     /// Write a certificate: of C^n over one parameter or at a value, or of the regularity
     Certify {
         #[command(flatten)]

@@ -7,11 +7,11 @@ use std::process::ExitCode;
 
 use indicatif::{ProgressBar, ProgressStyle};
 use refinable_algebra::{parse_rational, rational};
-use refinable_analysis::{Budget, Options, Sharpness, continuity_at, regularity};
-use refinable_certificate::{Certificate, verify};
+use refinable_analysis::{Budget, Map, Options, Sharpness, continuity_at, regularity};
+use refinable_certificate::{Certificate, MapCertificate, verify, verify_map};
 use refinable_papers::{Claims, Paper, Table};
 use refinable_report::{
-    Audit, CERTIFICATES, CertificateStore, Effort, Site, Sweep, degree_table, norm_table,
+    Audit, CERTIFICATES, CertificateStore, Effort, Maps, Site, Sweep, degree_table, norm_table,
     proof_text, range_table, regularity_table, report_site, sharp_range, sharp_range_table, show,
 };
 use refinable_scheme::{Scheme, Substitution};
@@ -60,6 +60,16 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
             let found = regularity(scheme.name(), scheme.mask(), &Options::default())?;
             output::print(&regularity_table(&scheme, &found), format.format)?;
         }
+        Command::Map { scheme, continuity, window, curves, marks, output, certificate, format } => {
+            let maps = Maps::new(&resolve(scheme)?, continuity, window.as_deref())?;
+            if let Some(path) = output {
+                files::write_file(path, &maps.picture(curves, marks)?)?;
+            }
+            if let Some(path) = certificate {
+                files::write_file(path, &format!("{}\n", only_map(&maps)?.certificate.to_json()))?;
+            }
+            output::print(&maps.document(), format.format)?;
+        }
         Command::Certify { scheme, continuity, output } => {
             let certificate = certify(&resolve(scheme)?, *continuity)?;
             let text = format!("{}\n", certificate.to_json());
@@ -97,6 +107,14 @@ fn resolve(arguments: &SchemeArguments) -> Result<Scheme, Failure> {
     Ok(Scheme::resolve_with(&arguments.scheme, arguments.arity as usize, &substitutions)?)
 }
 
+fn only_map(maps: &Maps) -> Result<&Map, Failure> {
+    let [map] = &maps.maps[..] else {
+        let hint = "give one order: --continuity N";
+        return Err(Failure::new("continuity", "a certificate is about one order", hint));
+    };
+    Ok(map)
+}
+
 fn sharpness(gap: &str) -> Result<Sharpness, Failure> {
     let gap = parse_rational(gap).filter(|gap| *gap > rational(0, 1) && *gap < rational(1, 2));
     let Some(gap) = gap else {
@@ -127,25 +145,37 @@ fn verify_files(paths: &[PathBuf]) -> Result<ExitCode, Failure> {
     let mut worst = 0;
     for path in paths {
         let bytes = files::read_limited(path)?;
-        let verdict = match Certificate::read(&bytes) {
-            Err(unreadable) => {
-                worst = 2;
-                format!("unreadable: {unreadable}")
-            }
-            Ok(certificate) => match verify(&certificate) {
-                Ok(_) => {
-                    let statement = refinable_report::statement(&certificate);
-                    format!("valid: {statement}; {}", proof_text(&certificate))
-                }
-                Err(invalid) => {
-                    worst = worst.max(1);
-                    format!("invalid: {invalid}")
-                }
-            },
-        };
+        let (code, verdict) = verify_bytes(&bytes);
+        worst = worst.max(code);
         output::print_text(&format!("{}: {verdict}\n", path.display()))?;
     }
     Ok(ExitCode::from(worst))
+}
+
+/// The exit code and the verdict on one certificate, of either kind.
+fn verify_bytes(bytes: &[u8]) -> (u8, String) {
+    let unreadable = match Certificate::read(bytes) {
+        Ok(certificate) => {
+            return match verify(&certificate) {
+                Ok(_) => {
+                    let statement = refinable_report::statement(&certificate);
+                    (0, format!("valid: {statement}; {}", proof_text(&certificate)))
+                }
+                Err(invalid) => (1, format!("invalid: {invalid}")),
+            };
+        }
+        Err(unreadable) => unreadable,
+    };
+    match MapCertificate::read(bytes) {
+        Ok(map) => match verify_map(&map) {
+            Ok(cells) => {
+                let name = &map.family.name;
+                (0, format!("valid: map of C^{} of {name}; {} pieces", map.continuity, cells.len()))
+            }
+            Err(invalid) => (1, format!("invalid: {invalid}")),
+        },
+        Err(_) => (2, format!("unreadable: {unreadable}")),
+    }
 }
 
 fn derive(arguments: &SchemeArguments, format: FormatArgument) -> Result<(), Failure> {

@@ -5,6 +5,7 @@
 //! | `grid` | [`Document`], [`Grid`], [`Cell`]: tables as data, rendered as md, csv, tex and json |
 //! | `latex`, `number` | exact quantities as LaTeX and as JSON |
 //! | `show`, `degrees`, `range`, `sharp`, `regularity`, `norm` | one document for each analysis |
+//! | `map`, `map_picture` | [`Maps`]: orders of continuity over two parameters, as data and as SVG |
 //! | `picture` | claimed against proved ranges as SVG |
 //! | `audit` | [`Audit`]: the verdict on every cell of a paper's tables |
 //! | `site` | the files of a report directory |
@@ -16,6 +17,8 @@ mod audit;
 mod degrees;
 mod grid;
 mod latex;
+mod map;
+mod map_picture;
 mod norm;
 mod number;
 mod picture;
@@ -29,6 +32,7 @@ mod sweep;
 pub use audit::{Agreement, Audit, AuditedCell, AuditedTable, CertificateStore, Effort, Ranges};
 pub use degrees::degree_table;
 pub use grid::{Cell, Document, Grid};
+pub use map::Maps;
 pub use norm::norm_table;
 pub use range::range_table;
 pub use regularity::{outward, regularity_table};

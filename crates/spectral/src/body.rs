@@ -231,7 +231,7 @@ impl Body {
 
     /// The polytope with the same vertices for the matrices at the inner end, eigenvectors for
     /// eigenvectors and images for images.
-    pub fn carried(&self, ends: &Ends) -> Option<Body> {
+    fn carried(&self, ends: &Ends) -> Option<Body> {
         let mut moved = self.with_vertices(Vec::new());
         let mut growth = 1.0;
         for (vertex, origin) in self.vertices.iter().zip(&self.origins) {
@@ -387,7 +387,7 @@ impl Body {
     }
 
     /// The atoms of the gauge that are a vertex and its mirror image.
-    pub fn atoms_of(&self, vertex: usize) -> (usize, Option<usize>) {
+    fn atoms_of(&self, vertex: usize) -> (usize, Option<usize>) {
         if self.shape.mirrored { (2 * vertex, Some(2 * vertex + 1)) } else { (vertex, None) }
     }
 

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use rayon::prelude::*;
 
 use crate::geometry::{Place, between, contains, distance, dot, edges, extent, moved};
-use crate::leading::{eigenvalues, fastest, is_complex, product};
+use crate::leading::fastest;
 use crate::plane::PlanePencil;
 use crate::word::Word;
 
@@ -80,13 +80,6 @@ impl<'a> Sampler<'a> {
     fn shrinks(&self, place: Place) -> bool {
         let matrices = self.pencil.at([0, 1].map(|i| place[i] * self.scale[i]));
         fastest(&matrices, &self.words).1 < 1.0
-    }
-
-    /// Whether a complex pair of eigenvalues leads at a place.
-    pub fn turns(&self, place: Place) -> bool {
-        let matrices = self.pencil.at([0, 1].map(|i| place[i] * self.scale[i]));
-        let (word, _) = fastest(&matrices, &self.words);
-        eigenvalues(&product(&matrices, word)).first().is_some_and(is_complex)
     }
 
     /// Whether words shrink everywhere on the edges of a polygon, or nowhere; otherwise two places where

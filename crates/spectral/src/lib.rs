@@ -15,7 +15,7 @@
 //! | `division` | [`divide`]: the line, divided at radius one; [`expanding`]: one side of it; [`decide`] at a single value |
 //! | `radius` | [`radius()`](radius()): the radius of one set of matrices |
 //! | `plane` | [`PlanePencil`]: matrices that are polynomials in two variables |
-//! | `common`, `moving` | one polytope for several sets of matrices, or one that moves with the set |
+//! | `common` | one polytope for several sets of matrices |
 //! | `outline` | [`outline()`](outline()): a box around the set on which matrices contract |
 //! | `partition` | [`partition()`](partition()): polygons of the plane, divided at radius one |
 //! | `front`, `geometry` | where the boundary runs through a polygon, in floats |
@@ -32,7 +32,6 @@ mod front;
 mod gauge;
 mod geometry;
 mod leading;
-mod moving;
 mod outline;
 mod partition;
 mod pencil;
@@ -49,7 +48,7 @@ mod writing;
 
 pub use division::{Constant, Division, Options, decide, divide, expanding};
 pub use outline::{Window, outline};
-pub use partition::partition;
+pub use partition::{Effort, partition};
 pub use pencil::Pencil;
 pub use plane::PlanePencil;
 pub use radius::{Radius, radius};

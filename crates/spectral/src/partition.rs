@@ -12,45 +12,51 @@ use crate::common::common_polytope;
 use crate::float::{approximate, dyadic};
 use crate::front::{Front, Sampler};
 use crate::geometry::{Place, area, diameter, extent};
-use crate::moving::moving_polytope;
 use crate::plane::PlanePencil;
 use crate::word::Word;
 
-/// Divides polygons at the boundary of contraction until less than the part `rest` of what contracts
-/// is undecided, by area; returns the first node of each polygon and all nodes, each before those it is
-/// cut into. `factor` is `l` if areas are meant in the plane of `x` and `y/l(x)`. There are never more
-/// than `most` nodes.
+/// When to stop.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Effort {
+    /// The part of the area of what contracts that may stay undecided.
+    pub rest: Rational,
+    /// The number of nodes beyond which nothing is cut.
+    pub nodes: usize,
+}
+
+/// Divides polygons at the boundary of contraction; returns the first node of each polygon and all
+/// nodes, each before those it is cut into. `factor` is `l` if areas are meant in the plane of `x` and
+/// `y/l(x)`.
+///
+/// # Cost
+/// One polytope or a few for each piece; a boundary along which real eigenvalues lead takes few pieces,
+/// one along which a complex pair does takes many.
 pub fn partition(
     pencil: &PlanePencil,
     checker: &MapChecker,
     polygons: &[Polygon],
     factor: Option<&Polynomial<Rational>>,
-    rest: &Rational,
-    most: usize,
+    effort: &Effort,
 ) -> (Vec<usize>, Vec<Node>) {
     let scale = scale(polygons);
     let factor = factor.map(|l| [0, 1].map(|k| approximate(&l.coefficient(k))));
+    let corners: Vec<Vec<Place>> = polygons.iter().map(|p| scaled(p, scale)).collect();
     let work = Work {
         pencil,
         checker,
         scale,
         factor,
-        sampler: Sampler::new(pencil, scale, &[]),
-        inequalities: Vec::new(),
-    };
-    let corners: Vec<Vec<Place>> = polygons.iter().map(|p| work.scaled(p)).collect();
-    let work = Work {
         sampler: Sampler::new(pencil, scale, &corners),
         inequalities: inequalities(pencil, checker),
-        ..work
     };
     let mut arena = Arena { nodes: Vec::new(), open: Vec::new(), proved: 0.0 };
     let whole = polygons.iter().map(|polygon| work.open(polygon.clone(), Role::Unknown));
     let whole: Vec<Open> = whole.collect();
     let total: f64 = whole.iter().map(|open| open.area).sum();
     let roots = whole.into_iter().map(|open| arena.push(Piece::Open(open))).collect();
-    let rest = approximate(rest);
-    while arena.undecided() > rest * arena.proved.max(SMALLEST * total) && arena.nodes.len() < most
+    let rest = approximate(&effort.rest);
+    while arena.undecided() > rest * arena.proved.max(SMALLEST * total)
+        && arena.nodes.len() < effort.nodes
     {
         let batch = arena.largest();
         if batch.is_empty() {
@@ -102,13 +108,6 @@ struct Open {
     corners: Vec<Place>,
     area: f64,
     role: Role,
-}
-
-impl Open {
-    /// The mean of the corners.
-    fn middle(&self) -> Place {
-        [0, 1].map(|i| self.corners.iter().map(|p| p[i]).sum::<f64>() / self.corners.len() as f64)
-    }
 }
 
 /// What becomes of a piece.
@@ -172,13 +171,8 @@ struct Work<'a> {
 }
 
 impl Work<'_> {
-    fn scaled(&self, polygon: &Polygon) -> Vec<Place> {
-        let points = polygon.points();
-        points.iter().map(|p| [0, 1].map(|i| approximate(&p[i]) / self.scale[i])).collect()
-    }
-
     fn open(&self, polygon: Polygon, role: Role) -> Open {
-        let corners = self.scaled(&polygon);
+        let corners = scaled(&polygon, self.scale);
         let middle = corners.iter().map(|p| p[0]).sum::<f64>() / corners.len() as f64;
         let density = self.factor.map_or(1.0, |[c, d]| (c + d * middle * self.scale[0]).abs());
         let area = area(&corners) / density.max(f64::MIN_POSITIVE);
@@ -192,9 +186,7 @@ impl Work<'_> {
             Role::Inside => Ok(true),
             Role::Outside => Ok(false),
         };
-        let turns = || self.pencil.degree() == 1 && self.sampler.turns(open.middle());
         let decided = match crossings {
-            Ok(true) if open.corners.len() > 3 && turns() => return self.cut_off_triangle(open),
             Ok(true) => self.prove(open),
             Ok(false) => self.refute(open),
             Err(ends) => {
@@ -230,8 +222,7 @@ impl Work<'_> {
     /// Decides a piece of which the role is known at once if that is easy.
     fn decided_or_open(&self, open: Open) -> Piece {
         let decided = match open.role {
-            Role::Inside if !self.sampler.turns(open.middle()) => self.prove(&open),
-            Role::Inside => return Piece::Open(open),
+            Role::Inside => self.prove(&open),
             _ => self.refute(&open),
         };
         match decided {
@@ -249,14 +240,7 @@ impl Work<'_> {
         let sets = self.pencil.controls(&corners);
         let accept = |polytope: &_| self.checker.accepts(&open.polygon, polytope);
         let mirrored = self.pencil.is_mirrored();
-        let words = &self.sampler.words;
-        let found = match <[_; 3]>::try_from(sets) {
-            Ok(sets) if self.sampler.turns(open.middle()) => {
-                moving_polytope(&sets, mirrored, words, &accept)
-            }
-            Ok(sets) => common_polytope(&sets, mirrored, words, &accept),
-            Err(sets) => common_polytope(&sets, mirrored, words, &accept),
-        };
+        let found = common_polytope(&sets, mirrored, &self.sampler.words, &accept);
         found.map(|polytope| Node::Polytope(Box::new(polytope)))
     }
 
@@ -278,22 +262,6 @@ impl Work<'_> {
         let across = [0, 1].map(|i| ((q[i] - p[i]) / length * 8.0).round() / 8.0);
         let (low, high) = extent(&open.corners, across);
         self.cut(open, across, 0.5 * (low + high), [Role::Unknown; 2])
-    }
-
-    /// Cuts along a diagonal.
-    fn cut_off_triangle(&self, open: &Open) -> Piece {
-        let points = open.polygon.points();
-        let [[ax, ay], [bx, by]] = [&points[0], &points[2]];
-        let (a, b) = (by - ay, ax - bx);
-        let c = &a * ax + &b * ay;
-        let parts = Line::new(&a, &b, &c).map(|line| open.polygon.cut(&line));
-        match parts {
-            Some([Some(below), Some(above)]) => {
-                let parts = [below, above].map(|part| Piece::Open(self.open(part, Role::Inside)));
-                Piece::Cut([a, b, c].map(Number), Box::new(parts))
-            }
-            _ => Piece::Done(Node::Undecided, open.area),
-        }
     }
 
     fn cut(&self, open: &Open, normal: Place, at: f64, roles: [Role; 2]) -> Piece {
@@ -321,6 +289,11 @@ impl Work<'_> {
         let line = Line::new(&a, &b, &c)?;
         Some(([a, b, c].map(Number), polygon.cut(&line)))
     }
+}
+
+fn scaled(polygon: &Polygon, scale: Place) -> Vec<Place> {
+    let points = polygon.points();
+    points.iter().map(|p| [0, 1].map(|i| approximate(&p[i]) / scale[i])).collect()
 }
 
 /// Powers of two near the extents of the polygons.

@@ -40,11 +40,6 @@ impl PlanePencil {
         self.terms[0].2.len()
     }
 
-    /// The largest total degree of an entry.
-    pub(crate) fn degree(&self) -> usize {
-        self.degree
-    }
-
     /// Whether `B_{m-1-ε} = J B_ε J`.
     pub(crate) fn is_mirrored(&self) -> bool {
         self.mirrored

@@ -30,7 +30,7 @@ const ROOMY: f64 = 0.9;
 /// How near to the least total a larger one must be, in turn: each begins where the last one ended.
 const ACCURACIES: [f64; 4] = [1e-2, 1e-4, 1e-7, FINEST];
 /// What must be left for the rounding of the checker.
-pub(crate) const SPARE: f64 = 1e-11;
+const SPARE: f64 = 1e-11;
 
 /// A polytope, with where it moves to.
 pub(crate) struct Writer<'a> {

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::model::{Certificate, Coefficients, Term};
+use crate::model::{Certificate, Coefficients};
 use crate::number::Number;
 
 /// The only value of [`MapCertificate::format`].
@@ -127,15 +127,11 @@ pub enum Eigenvalue {
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct CellPolytope {
-    /// Whether vertices and weights are complex; the conjugates of the vertices belong to it then.
-    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
-    pub complex: bool,
     /// Whether the mirror images of the vertices belong to it.
     pub mirrored: bool,
     /// Vertices are integers over `2^bits`.
     pub bits: u32,
-    /// The vertices, at the first corner if they move; if complex, the real parts of all coordinates and
-    /// then the imaginary parts.
+    /// The vertices.
     pub vertices: Vec<Vec<i64>>,
     /// Weights are integers over `2^weight_bits`.
     pub weight_bits: u32,
@@ -144,25 +140,11 @@ pub struct CellPolytope {
     /// For each vertex its images, nearly: at the first control point under each letter, at the second,
     /// and so on.
     pub images: Vec<Vec<Weights>>,
-    /// How the polytope moves over a triangle, if it does.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub motion: Option<CellMotion>,
 }
 
-/// What becomes of a polytope at the other corners of a triangle.
-#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct CellMotion {
-    /// The vertices at the second and at the third corner.
-    pub vertices: [Vec<Vec<i64>>; 2],
-    /// For each vertex, what is left of the images between two corners, nearly: for each letter between
-    /// the first and the second, the first and the third, the second and the third.
-    pub rests: Vec<Vec<Weights>>,
-}
-
-/// `Σ (weight / 2^weight_bits) u_index`; the mirror images of the vertices come after them all, and the
-/// conjugates after those.
-pub type Weights = Vec<Term>;
+/// `Σ (weight / 2^weight_bits) u_index` as `[index, weight]`; the mirror images of the vertices come
+/// after them all.
+pub type Weights = Vec<(usize, i64)>;
 
 /// What is proved on a line, or at a point, of the plane.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]

@@ -1,0 +1,348 @@
+//! `map`: where C^n is proved and refuted over two parameters.
+
+use refinable_algebra::{
+    Monomial, Parameter, ParameterPolynomial, Polynomial, Rational, Ring, decimal, parse_rational,
+};
+use refinable_analysis::{Area, Map, Plane, Sharpness, Window, default_window, map, region_of};
+use refinable_certificate::{CellVerdict, Conclusion, Inequality, Node, Terms};
+use refinable_scheme::{Diagnostic, Scheme, Substitution};
+use serde_json::{Value, json};
+
+use crate::grid::{Cell, Document, Grid};
+use crate::number::{intervals, rational_number};
+use crate::sharp::statement;
+
+/// Maps of one family in one box for several orders of continuity, ascending.
+#[derive(Clone, Debug)]
+pub struct Maps {
+    scheme: String,
+    /// One for each order.
+    pub maps: Vec<Map>,
+}
+
+impl Maps {
+    /// The maps for the orders that are asked for, `2` or `0..5`, in the box that is asked for,
+    /// `alpha=-1/4..3/4,beta=-1/2..1/2`, or in one around the largest set.
+    ///
+    /// # Errors
+    /// A text that is no such request; whatever [`map`] refuses.
+    pub fn new(scheme: &Scheme, orders: &str, window: Option<&str>) -> Result<Maps, Diagnostic> {
+        let orders = parse_orders(orders)?;
+        let (name, mask) = (scheme.name(), scheme.mask());
+        let window = match window {
+            Some(text) => parse_window(scheme, text)?,
+            None => default_window(name, mask, orders[0])?,
+        };
+        let sharpness = Sharpness::default();
+        let maps = orders.iter().map(|&n| map(name, mask, n, &window, &sharpness));
+        Ok(Maps { scheme: name.into(), maps: maps.collect::<Result<_, _>>()? })
+    }
+
+    /// One row for each order: areas, and how many pieces there are.
+    pub fn document(&self) -> Document {
+        let row = |map: &Map| {
+            let areas = map.areas();
+            let count = |f: fn(&CellVerdict) -> bool| {
+                map.cells.iter().filter(|cell| f(&cell.verdict)).count().to_string()
+            };
+            let numbers = areas.iter().map(|area| decimal(&middle(area), 9));
+            let pieces = [
+                count(|v| matches!(v, CellVerdict::Proved)),
+                count(|v| matches!(v, CellVerdict::Refuted { .. })),
+                count(|v| matches!(v, CellVerdict::Undecided)),
+            ];
+            let order = format!("C^{}", map.continuity());
+            [order].into_iter().chain(numbers).chain([pieces.join(" + ")]).map(Cell::text).collect()
+        };
+        let header = ["", "proved", "refuted", "undecided", "pieces"].map(String::from).to_vec();
+        let rows = self.maps.iter().map(row).collect();
+        let caption = format!("Areas of C^n of {} in {}", self.scheme, self.window_text());
+        let remarks = self.remarks();
+        let grid = Grid { id: "map".into(), caption, header, rows, remarks };
+        let json = match &self.maps[..] {
+            [map] => self.json_of(map),
+            maps => {
+                let maps: Vec<Value> = maps.iter().map(|map| self.json_of(map)).collect();
+                json!({"scheme": self.scheme, "maps": maps})
+            }
+        };
+        Document { grids: vec![grid], summary: None, json }
+    }
+
+    fn window_text(&self) -> String {
+        let map = &self.maps[0];
+        let spans = map.plane.parameters().iter().zip(map.window());
+        let spans = spans.map(|(p, [low, high])| format!("{low} ≤ {p} ≤ {high}"));
+        spans.collect::<Vec<_>>().join(", ")
+    }
+
+    fn remarks(&self) -> Vec<String> {
+        let mut remarks = Vec::new();
+        for map in &self.maps {
+            let n = map.continuity();
+            for (inequality, polynomial) in boundaries(map) {
+                remarks.push(format!(
+                    "C^{n} is refuted where the product along {} has an eigenvalue of modulus at least \
+                     one: boundary {polynomial} = 0",
+                    inequality.word
+                ));
+            }
+            remarks.extend(map.certificate.sections.iter().map(|section| {
+                let [x, y] = section.origin.each_ref().map(|c| &c.0);
+                let [dx, dy] = section.direction.each_ref().map(|c| &c.0);
+                let verdict = statement(&section.certificate);
+                format!(
+                    "C^{n} may hold on the line (x, y) = ({x}, {y}) + t ({dx}, {dy}) only: {verdict}"
+                )
+            }));
+            if needs_stability(map) {
+                remarks.push(format!(
+                    "what is refuted for C^{n} is refuted wherever the shifts of the basic limit function \
+                     are stable, which is everywhere but on a curve"
+                ));
+            }
+        }
+        remarks
+            .push(format!("coordinates of the pieces: {}", coordinates(&self.maps[0]).join(", ")));
+        remarks.push("proof checked".into());
+        remarks
+    }
+
+    fn json_of(&self, map: &Map) -> Value {
+        let [u, v] = map.plane.parameters();
+        let [[u0, u1], [v0, v1]] = map.window();
+        let span = |low: &Rational, high: &Rational| json!({"lo": rational_number(low), "hi": rational_number(high)});
+        let cells: Vec<Value> = map
+            .cells
+            .iter()
+            .map(|cell| {
+                let corners: Vec<[String; 2]> = cell
+                    .polygon
+                    .points()
+                    .iter()
+                    .map(|p| p.each_ref().map(ToString::to_string))
+                    .collect();
+                json!({
+                    "verdict": verdict(cell.verdict),
+                    "polygon": corners,
+                    "because": because(&map.certificate.nodes[cell.node]),
+                })
+            })
+            .collect();
+        let boundaries: Vec<Value> = boundaries(map)
+            .iter()
+            .map(|(inequality, p)| json!({"word": inequality.word, "polynomial": p.to_string()}))
+            .collect();
+        let sections: Vec<Value> = map
+            .certificate
+            .sections
+            .iter()
+            .map(|section| {
+                let Conclusion::Continuity { proved, refuted, .. } =
+                    &section.certificate.conclusion
+                else {
+                    return Value::Null;
+                };
+                let region = |list| intervals(&region_of(list), "t");
+                json!({
+                    "origin": section.origin.each_ref().map(|c| c.0.to_string()),
+                    "direction": section.direction.each_ref().map(|c| c.0.to_string()),
+                    "proved": region(proved), "refuted": region(refuted),
+                })
+            })
+            .collect();
+        let [proved, refuted, undecided] = map.areas();
+        let [x, y] = coordinates(map);
+        json!({
+            "scheme": self.scheme,
+            "parameters": [u.name(), v.name()],
+            "continuity": map.continuity(),
+            "box": {u.name(): span(&u0, &u1), v.name(): span(&v0, &v1)},
+            "coordinates": [x, y],
+            "area": {
+                "proved": area_number(&proved), "refuted": area_number(&refuted),
+                "undecided": area_number(&undecided),
+            },
+            "refuted_if_stable": needs_stability(map),
+            "cells": cells,
+            "boundaries": boundaries,
+            "sections": sections,
+        })
+    }
+}
+
+/// Whether a piece is refuted only where shifts are stable.
+fn needs_stability(map: &Map) -> bool {
+    map.cells.iter().any(|cell| cell.verdict == CellVerdict::Refuted { if_stable: true })
+}
+
+/// `x = alpha` and `y = beta*(1 - alpha)`.
+fn coordinates(map: &Map) -> [String; 2] {
+    let [u, v] = map.plane.parameters();
+    let y = map.plane.factor().map_or_else(
+        || v.to_string(),
+        |l| {
+            let affine = ParameterPolynomial::constant(l.coefficient(0))
+                .plus(&ParameterPolynomial::parameter(u).scaled(&l.coefficient(1)));
+            format!("{v}*({affine})")
+        },
+    );
+    [format!("x = {u}"), format!("y = {y}")]
+}
+
+/// The word for a verdict.
+fn verdict(verdict: CellVerdict) -> &'static str {
+    match verdict {
+        CellVerdict::Proved => "proved",
+        CellVerdict::Refuted { .. } => "refuted",
+        CellVerdict::Undecided => "undecided",
+    }
+}
+
+fn because(node: &Node) -> String {
+    match node {
+        Node::Norm => "norm".into(),
+        Node::Polytope(polytope) => format!("polytope of {} vertices", polytope.vertices.len()),
+        Node::Word(inequality) => format!("word {}", inequality.word),
+        Node::Indivisible => "division".into(),
+        Node::Undecided | Node::Cut { .. } => String::new(),
+    }
+}
+
+/// The boundary curves that occur, as primitive polynomials in the parameters.
+fn boundaries(map: &Map) -> Vec<(Inequality, ParameterPolynomial)> {
+    let mut found: Vec<(Inequality, ParameterPolynomial)> = Vec::new();
+    for (inequality, terms) in map.boundaries() {
+        let polynomial = in_parameters(map, &terms);
+        if !found.iter().any(|(_, known)| *known == polynomial) {
+            found.push((inequality, polynomial));
+        }
+    }
+    found
+}
+
+/// A polynomial in `x` and `y` as one in the parameters, primitive.
+fn in_parameters(map: &Map, terms: &Terms) -> ParameterPolynomial {
+    let [u, v] = map.plane.parameters();
+    let one = Polynomial::constant(Rational::one());
+    let factor = map.plane.factor().unwrap_or(&one);
+    let power = |p: &Parameter, e: u32| {
+        ParameterPolynomial::term(Rational::one(), Monomial::power(p.clone(), e))
+    };
+    let factor = factor
+        .coefficients()
+        .iter()
+        .enumerate()
+        .fold(ParameterPolynomial::zero(), |sum, (k, c)| sum.plus(&power(u, k as u32).scaled(c)));
+    let sum = terms.iter().fold(ParameterPolynomial::zero(), |sum, (c, i, j)| {
+        let y = power(v, *j).times(&factor.power(*j));
+        sum.plus(&power(u, *i).times(&y).scaled(&c.0))
+    });
+    sum.primitive().2
+}
+
+fn middle(area: &Area) -> Rational {
+    (&area.lower + &area.upper) / Rational::from_i64(2)
+}
+
+/// `{"exact", "lower", "upper", "approx"}`; `exact` is null for an area that is not known exactly.
+fn area_number(area: &Area) -> Value {
+    if area.lower == area.upper {
+        return rational_number(&area.lower);
+    }
+    let approx: Option<f64> = decimal(&middle(area), 15).parse().ok();
+    // Outwards, to short decimals.
+    let unit = Rational::from_i64(10).power(15);
+    let lower = (&area.lower * &unit).floor() / &unit;
+    let upper = (&area.upper * &unit).ceil() / &unit;
+    json!({
+        "exact": Value::Null, "lower": lower.to_string(), "upper": upper.to_string(), "approx": approx,
+    })
+}
+
+/// The most orders that are mapped at once.
+const MOST_ORDERS: usize = 24;
+
+fn parse_orders(text: &str) -> Result<Vec<usize>, Diagnostic> {
+    let number = |text: &str| text.trim().parse::<usize>().ok().filter(|&n| n < 1000);
+    let orders = match text.split_once("..") {
+        Some((from, to)) => number(from).zip(number(to)).map(|(a, b)| (a..=b).collect()),
+        None => number(text).map(|n| vec![n]),
+    };
+    orders.filter(|all: &Vec<usize>| !all.is_empty() && all.len() <= MOST_ORDERS).ok_or_else(|| {
+        Diagnostic::new("continuity", format!("`{text}` is no order of continuity and no range"))
+            .with_hint("for example --continuity 2 or --continuity 0..5")
+    })
+}
+
+/// The box of a request such as `alpha=-1/4..3/4,beta=-1/2..1/2`, in the order of the parameters.
+fn parse_window(scheme: &Scheme, text: &str) -> Result<Window, Diagnostic> {
+    let error = |message: String| {
+        Diagnostic::new("box", message)
+            .with_hint("for example --box 'alpha=-1/4..3/4,beta=-1/2..1/2'")
+    };
+    let plane = Plane::new(scheme.name(), scheme.mask())?;
+    let mut spans: [Option<[Rational; 2]>; 2] = [None, None];
+    for part in text.split(',') {
+        let (name, span) =
+            part.split_once('=').ok_or_else(|| error(format!("`{part}` has no `=`")))?;
+        let place = plane.parameters().iter().position(|p| p.name() == name.trim());
+        let place = place.ok_or_else(|| {
+            let [u, v] = plane.parameters();
+            error(format!("the free parameters are {u} and {v}, not {}", name.trim()))
+        })?;
+        let ends = span
+            .split_once("..")
+            .and_then(|(a, b)| Some([parse_rational(a.trim())?, parse_rational(b.trim())?]));
+        let ends =
+            ends.ok_or_else(|| error(format!("`{span}` is no interval of rational numbers")))?;
+        if spans[place].replace(ends).is_some() {
+            return Err(error(format!("{} is given twice", name.trim())));
+        }
+    }
+    match spans {
+        [Some(u), Some(v)] => Ok([u, v]),
+        _ => Err(error("the box needs both parameters".into())),
+    }
+}
+
+/// A point such as `alpha=1/10,beta=-49/1152`, in the order of the parameters of a map.
+///
+/// # Errors
+/// Code `mark` if it is no such point.
+pub(crate) fn parse_point(map: &Map, text: &str) -> Result<[Rational; 2], Diagnostic> {
+    let error = |message: String| {
+        Diagnostic::new("mark", message).with_hint("for example --mark 'alpha=1/10,beta=-49/1152'")
+    };
+    let value = |parameter: &Parameter| {
+        let part = text.split(',').filter_map(|part| part.split_once('='));
+        let mut values = part.filter(|(name, _)| name.trim() == parameter.name());
+        let (_, value) = values
+            .next()
+            .ok_or_else(|| error(format!("`{text}` does not say what {parameter} is")))?;
+        parse_rational(value.trim())
+            .ok_or_else(|| error(format!("`{value}` is no rational number")))
+    };
+    let [u, v] = map.plane.parameters();
+    Ok([value(u)?, value(v)?])
+}
+
+/// A curve such as `beta=(8*alpha-1)/(16*(1-alpha))`: which of the parameters it gives, and how.
+///
+/// # Errors
+/// Whatever a substitution refuses; code `curve` if it is not one parameter in terms of the other.
+pub(crate) fn parse_curve(map: &Map, text: &str) -> Result<(usize, Substitution), Diagnostic> {
+    let curve = Substitution::parse(text)?;
+    let parameters = map.plane.parameters();
+    let place = parameters.iter().position(|p| p == curve.parameter());
+    let other = place.map(|place| &parameters[1 - place]);
+    let fits = other.is_some_and(|other| curve.value().parameters().iter().all(|p| p == other));
+    match place {
+        Some(place) if fits => Ok((place, curve)),
+        _ => {
+            let [u, v] = parameters;
+            Err(Diagnostic::new("curve", format!("a curve gives {u} or {v} in terms of the other"))
+                .with_hint("for example --curve 'beta=(8*alpha-1)/(16*(1-alpha))'"))
+        }
+    }
+}

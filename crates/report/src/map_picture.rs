@@ -1,0 +1,383 @@
+//! Maps as pictures: nested shades, with curves and marks over them.
+//!
+//! Proved orders are shades of one blue, the darker the higher, so that they are told apart in grey;
+//! what is undecided is hatched, what is refuted is left white.
+
+use std::fmt::Write;
+
+use refinable_algebra::{
+    ParameterFraction, ParameterPolynomial, Rational, Ring, decimal, integer, rational,
+};
+use refinable_analysis::{Map, Window};
+use refinable_certificate::CellVerdict;
+use refinable_scheme::Diagnostic;
+
+use crate::map::{Maps, parse_curve, parse_point};
+
+const LEFT: f64 = 84.0;
+const TOP: f64 = 44.0;
+const WIDTH: f64 = 640.0;
+const HEIGHT: f64 = 460.0;
+const LEGEND: f64 = 150.0;
+const FOOTER: f64 = 64.0;
+/// Ticks along an axis, about.
+const TICKS: i64 = 6;
+/// Straight pieces of an edge that is drawn as a curve, and of a curve.
+const EDGE: i64 = 6;
+const CURVE: i64 = 400;
+/// Shades from light to dark.
+const SHADES: [&str; 8] =
+    ["#dbe9f6", "#bad6eb", "#89bedc", "#539ecd", "#2b7bba", "#0b559f", "#083a73", "#05264d"];
+
+impl Maps {
+    /// The picture, with curves such as `beta=(8*alpha-1)/(16*(1-alpha))` and marked points such as
+    /// `alpha=1/10,beta=-49/1152`.
+    ///
+    /// # Errors
+    /// A curve or point that is none.
+    pub fn picture(&self, curves: &[String], marks: &[String]) -> Result<String, Diagnostic> {
+        let frame = Frame::new(self.maps[0].window());
+        let (width, height) = (LEFT + WIDTH + LEGEND, TOP + HEIGHT + FOOTER);
+        let mut svg = format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width:.0} {height:.0}\" \
+             font-family=\"sans-serif\" font-size=\"12\">\n<title>{title}</title>\n\
+             <defs><pattern id=\"undecided\" width=\"4\" height=\"4\" patternUnits=\"userSpaceOnUse\">\
+             <path d=\"M0 4L4 0M0 0L4 4\" stroke=\"#b2182b\" stroke-width=\"0.9\"/></pattern>\
+             <clipPath id=\"box\"><rect x=\"{LEFT}\" y=\"{TOP}\" width=\"{WIDTH}\" height=\"{HEIGHT}\"/>\
+             </clipPath></defs>\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n\
+             <text x=\"{LEFT}\" y=\"24\" font-size=\"14\">{title}</text>\n<g clip-path=\"url(#box)\">\n",
+            title = escape(&self.title()),
+        );
+        for map in &self.maps {
+            let shade = self.shade(map);
+            draw(&mut svg, map, &frame, CellVerdict::Proved, shade);
+        }
+        for map in &self.maps {
+            draw(&mut svg, map, &frame, CellVerdict::Undecided, "url(#undecided)");
+        }
+        for (k, curve) in curves.iter().enumerate() {
+            let path = self.curve(&frame, curve)?;
+            let dashes = ["none", "7 3", "2 3", "9 3 2 3"][k % 4];
+            let _ = writeln!(
+                svg,
+                "<path d=\"{path}\" fill=\"none\" stroke=\"#000000\" stroke-width=\"1.4\" \
+                 stroke-dasharray=\"{dashes}\"/>"
+            );
+        }
+        for mark in marks {
+            let [u, v] = parse_point(&self.maps[0], mark)?;
+            let (x, y) = (frame.across(&u), frame.down(&v));
+            let _ = writeln!(
+                svg,
+                "<circle cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"4\" fill=\"#ffffff\" stroke=\"#000000\" \
+                 stroke-width=\"1.6\"/>"
+            );
+        }
+        svg.push_str("</g>\n");
+        frame.axes(&mut svg, &self.maps[0]);
+        self.labels(&mut svg, &frame);
+        self.legend(&mut svg, curves, marks);
+        svg.push_str("</svg>\n");
+        Ok(svg)
+    }
+
+    fn title(&self) -> String {
+        let map = &self.maps[0];
+        let orders: Vec<String> = self.maps.iter().map(|m| order(m.continuity())).collect();
+        format!("{} of {}", orders.join(", "), map.plane.name())
+    }
+
+    fn shade(&self, map: &Map) -> &'static str {
+        let count = self.maps.len();
+        let place = self.maps.iter().position(|m| m.continuity() == map.continuity()).unwrap_or(0);
+        SHADES[if count <= 1 {
+            2
+        } else {
+            (place * (SHADES.len() - 1) / count).min(SHADES.len() - 1)
+        }]
+    }
+
+    /// The name of each order in the largest of its pieces that no higher order has.
+    fn labels(&self, svg: &mut String, frame: &Frame) {
+        for (k, map) in self.maps.iter().enumerate() {
+            let mut best: Option<(f64, f64, f64)> = None;
+            for cell in map.cells.iter().filter(|cell| cell.verdict == CellVerdict::Proved) {
+                let points = corners(map, frame, &cell.polygon.points());
+                let count = points.len() as f64;
+                let x = points.iter().map(|p| p.0).sum::<f64>() / count;
+                let y = points.iter().map(|p| p.1).sum::<f64>() / count;
+                let area = shoelace(&points);
+                let covered = self.maps.get(k + 1).is_some_and(|next| has(next, frame, x, y));
+                let visible = !covered && x > LEFT + 12.0 && x < LEFT + WIDTH - 12.0;
+                if visible && best.is_none_or(|(most, ..)| area > most) {
+                    best = Some((area, x, y));
+                }
+            }
+            if let Some((_, x, y)) = best {
+                let _ = writeln!(
+                    svg,
+                    "<text x=\"{x:.2}\" y=\"{:.2}\" text-anchor=\"middle\" font-weight=\"bold\" \
+                     stroke=\"#ffffff\" stroke-width=\"3\" paint-order=\"stroke\">{}</text>",
+                    y + 4.0,
+                    order(map.continuity())
+                );
+            }
+        }
+    }
+
+    fn legend(&self, svg: &mut String, curves: &[String], marks: &[String]) {
+        let x = LEFT + WIDTH + 14.0;
+        let mut y = TOP + 10.0;
+        let mut row = |svg: &mut String, sample: &dyn Fn(f64) -> String, text: &str| {
+            let _ = writeln!(
+                svg,
+                "{}<text x=\"{:.0}\" y=\"{:.0}\">{}</text>",
+                sample(y),
+                x + 26.0,
+                y + 4.0,
+                escape(text)
+            );
+            y += 20.0;
+        };
+        let block = |fill: String| {
+            move |y: f64| {
+                format!(
+                    "<rect x=\"{x:.0}\" y=\"{:.0}\" width=\"20\" height=\"12\" fill=\"{fill}\" \
+                     stroke=\"#888888\" stroke-width=\"0.5\"/>",
+                    y - 6.0
+                )
+            }
+        };
+        for map in &self.maps {
+            let text = format!("{} proved", order(map.continuity()));
+            row(svg, &block(self.shade(map).into()), &text);
+        }
+        row(svg, &block("url(#undecided)".into()), "undecided");
+        row(svg, &block("#ffffff".into()), "refuted");
+        for k in 0..curves.len() {
+            let dashes = ["none", "7 3", "2 3", "9 3 2 3"][k % 4];
+            let line = move |y: f64| {
+                format!(
+                    "<path d=\"M{x:.0} {y:.0}h20\" stroke=\"#000000\" stroke-width=\"1.4\" \
+                     stroke-dasharray=\"{dashes}\"/>"
+                )
+            };
+            row(svg, &line, &format!("curve {}", k + 1));
+        }
+        if !marks.is_empty() {
+            let circle = move |y: f64| {
+                format!(
+                    "<circle cx=\"{:.0}\" cy=\"{y:.0}\" r=\"4\" fill=\"#ffffff\" stroke=\"#000000\" \
+                     stroke-width=\"1.6\"/>",
+                    x + 10.0
+                )
+            };
+            row(svg, &circle, "marked");
+        }
+    }
+
+    /// A curve as a path; it is left where it has a pole or leaves the box far behind.
+    fn curve(&self, frame: &Frame, text: &str) -> Result<String, Diagnostic> {
+        let map = &self.maps[0];
+        let (place, curve) = parse_curve(map, text)?;
+        let other = &map.plane.parameters()[1 - place];
+        let [low, high] = &frame.window[1 - place];
+        let mut path = String::new();
+        let mut pen_down = false;
+        for k in 0..=CURVE {
+            let t = low + (high - low) * rational(k, CURVE);
+            let value = ParameterFraction::from(ParameterPolynomial::constant(t.clone()));
+            let at = curve.value().substitute(other, &value).ok();
+            let Some(value) = at.and_then(|value| value.as_constant()) else {
+                pen_down = false;
+                continue;
+            };
+            let point = if place == 1 { [t, value] } else { [value, t] };
+            let (x, y) = (frame.across(&point[0]), frame.down(&point[1]));
+            let near = x > -WIDTH && x < 3.0 * WIDTH && y > -HEIGHT && y < 3.0 * HEIGHT;
+            if near {
+                let _ = write!(path, "{}{x:.2} {y:.2}", if pen_down { "L" } else { "M" });
+            }
+            pen_down = near;
+        }
+        Ok(path)
+    }
+}
+
+/// The box in picture coordinates.
+struct Frame {
+    window: Window,
+    low: [f64; 2],
+    high: [f64; 2],
+}
+
+impl Frame {
+    fn new(window: Window) -> Self {
+        let low = window.each_ref().map(|[low, _]| place(low));
+        let high = window.each_ref().map(|[_, high]| place(high));
+        Frame { window, low, high }
+    }
+
+    fn across(&self, u: &Rational) -> f64 {
+        self.x(place(u))
+    }
+
+    fn down(&self, v: &Rational) -> f64 {
+        self.y(place(v))
+    }
+
+    fn x(&self, u: f64) -> f64 {
+        LEFT + (u - self.low[0]) / (self.high[0] - self.low[0]) * WIDTH
+    }
+
+    fn y(&self, v: f64) -> f64 {
+        TOP + (self.high[1] - v) / (self.high[1] - self.low[1]) * HEIGHT
+    }
+
+    fn axes(&self, svg: &mut String, map: &Map) {
+        let _ = writeln!(
+            svg,
+            "<rect x=\"{LEFT}\" y=\"{TOP}\" width=\"{WIDTH}\" height=\"{HEIGHT}\" fill=\"none\" \
+             stroke=\"#000000\"/>"
+        );
+        let bottom = TOP + HEIGHT;
+        for t in ticks(&self.window[0]) {
+            let x = self.across(&t);
+            let _ = writeln!(
+                svg,
+                "<path d=\"M{x:.2} {bottom}v5\" stroke=\"#000000\"/>\
+                 <text x=\"{x:.2}\" y=\"{:.0}\" text-anchor=\"middle\">{t}</text>",
+                bottom + 19.0
+            );
+        }
+        for t in ticks(&self.window[1]) {
+            let y = self.down(&t);
+            let _ = writeln!(
+                svg,
+                "<path d=\"M{LEFT} {y:.2}h-5\" stroke=\"#000000\"/>\
+                 <text x=\"{:.0}\" y=\"{:.2}\" text-anchor=\"end\">{t}</text>",
+                LEFT - 9.0,
+                y + 4.0
+            );
+        }
+        let [u, v] = map.plane.parameters();
+        let _ = writeln!(
+            svg,
+            "<text x=\"{:.0}\" y=\"{:.0}\" text-anchor=\"middle\">{}</text>\
+             <text x=\"16\" y=\"{:.0}\">{}</text>",
+            LEFT + WIDTH / 2.0,
+            bottom + 44.0,
+            escape(&greek(u.name())),
+            TOP + HEIGHT / 2.0,
+            escape(&greek(v.name())),
+        );
+    }
+}
+
+/// Multiples of a power of two within an interval.
+fn ticks([low, high]: &[Rational; 2]) -> Vec<Rational> {
+    let mut unit = Rational::one();
+    let two = rational(2, 1);
+    let span = high - low;
+    while &span / &unit > rational(TICKS, 1) {
+        unit *= &two;
+    }
+    while &span / &unit < rational(TICKS, 2) {
+        unit /= &two;
+    }
+    let (first, last) = ((low / &unit).ceil().to_integer(), (high / &unit).floor().to_integer());
+    let mut ticks = Vec::new();
+    let mut k = first;
+    while k <= last {
+        ticks.push(Rational::from(k.clone()) * &unit);
+        k += integer(1);
+    }
+    ticks
+}
+
+/// All pieces with a verdict as one path.
+fn draw(svg: &mut String, map: &Map, frame: &Frame, verdict: CellVerdict, fill: &str) {
+    let mut path = String::new();
+    for cell in map.cells.iter().filter(|cell| cell.verdict == verdict) {
+        for (k, (x, y)) in corners(map, frame, &cell.polygon.points()).into_iter().enumerate() {
+            let _ = write!(path, "{}{x:.2} {y:.2}", if k == 0 { "M" } else { "L" });
+        }
+        path.push('Z');
+    }
+    if path.is_empty() {
+        return;
+    }
+    // A hair of stroke closes the seams between pieces.
+    let stroke = if verdict == CellVerdict::Undecided { "#b2182b" } else { fill };
+    let _ = writeln!(
+        svg,
+        "<path d=\"{path}\" fill=\"{fill}\" stroke=\"{stroke}\" stroke-width=\"0.4\" \
+         stroke-linejoin=\"round\"/>"
+    );
+}
+
+/// A polygon of the plane of `(x, y)` in picture coordinates, edges that are curves there in pieces.
+fn corners(map: &Map, frame: &Frame, points: &[[Rational; 2]]) -> Vec<(f64, f64)> {
+    let factor = map.plane.factor().map(|l| [0, 1].map(|k| place(&l.coefficient(k))));
+    let floats: Vec<[f64; 2]> = points.iter().map(|p| p.each_ref().map(place)).collect();
+    let Some([c, d]) = factor else {
+        return floats.iter().map(|[x, y]| (frame.x(*x), frame.y(*y))).collect();
+    };
+    let next = floats.iter().cycle().skip(1);
+    let mut all = Vec::new();
+    for ([ax, ay], [bx, by]) in floats.iter().zip(next) {
+        for k in 0..EDGE {
+            let t = k as f64 / EDGE as f64;
+            let (x, y) = (ax + t * (bx - ax), ay + t * (by - ay));
+            let l = c + d * x;
+            // Where the factor vanishes a corner is a whole edge of the box.
+            if l.abs() > 1e-12 {
+                all.push((frame.x(x), frame.y(y / l)));
+            }
+        }
+    }
+    all
+}
+
+/// Whether a place of the picture is in a proved piece.
+fn has(map: &Map, frame: &Frame, x: f64, y: f64) -> bool {
+    let proved = map.cells.iter().filter(|cell| cell.verdict == CellVerdict::Proved);
+    proved.into_iter().any(|cell| {
+        let points = corners(map, frame, &cell.polygon.points());
+        let turns = points.iter().zip(points.iter().cycle().skip(1));
+        let turns: Vec<f64> =
+            turns.map(|(a, b)| (b.0 - a.0) * (y - a.1) - (b.1 - a.1) * (x - a.0)).collect();
+        turns.iter().all(|t| *t >= 0.0) || turns.iter().all(|t| *t <= 0.0)
+    })
+}
+
+fn shoelace(points: &[(f64, f64)]) -> f64 {
+    let next = points.iter().cycle().skip(1);
+    let sum: f64 = points.iter().zip(next).map(|(a, b)| a.0 * b.1 - b.0 * a.1).sum();
+    (0.5 * sum).abs()
+}
+
+/// `C⁰`, `C¹`, …
+fn order(n: usize) -> String {
+    let digits = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    let raised: String =
+        n.to_string().chars().filter_map(|c| c.to_digit(10)).map(|d| digits[d as usize]).collect();
+    format!("C{raised}")
+}
+
+fn greek(name: &str) -> String {
+    match name {
+        "alpha" => "α".into(),
+        "beta" => "β".into(),
+        _ => name.into(),
+    }
+}
+
+/// Where ink goes; the decimal text is exact arithmetic.
+fn place(x: &Rational) -> f64 {
+    decimal(x, 15).parse().unwrap_or(0.0)
+}
+
+fn escape(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
+}
