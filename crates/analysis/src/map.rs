@@ -100,7 +100,7 @@ pub fn map(
     let (roots, mut nodes, sections);
     if continuity < order {
         let pencil = plane.pencil(order, &bound(&plane, order, continuity));
-        let effort = Effort { rest: rational(1, 160), nodes: 16_000 };
+        let effort = Effort { rest: rational(1, 160), nodes: 8_000 };
         (roots, nodes) = partition(&pencil, &checker, &parts, plane.factor(), &effort);
         if continuity > 0 && stable_at.is_none() {
             forget_refuted(&mut nodes);

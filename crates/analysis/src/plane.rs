@@ -164,25 +164,24 @@ impl Plane {
 
     /// The polynomials in `x` and `y` that vanish where `σ^order` divides the symbol.
     pub fn divisibility(&self, order: usize) -> Vec<Polynomial<Polynomial<Rational>>> {
-        let remainders: Vec<((u32, u32), Laurent<Rational>)> = self
-            .parts
-            .iter()
-            .map(|(k, part)| (*k, part.divide_by_geometric(self.arity, order).1))
-            .collect();
-        let supports = remainders.iter().filter_map(|(_, r)| r.support());
-        let (low, high) = supports.fold(
-            (0, -1),
-            |(a, b), (c, d)| {
-                if a > b { (c, d) } else { (a.min(c), b.max(d)) }
-            },
-        );
-        let condition = |e: i64| {
+        let sigma = Polynomial::new(vec![Rational::one(); self.arity]);
+        let divisor = sigma.power(order as u32);
+        // All parts begin at the same exponent, so that remainders add up.
+        let remainder = |part: &Laurent<Rational>| {
+            let exponents = self.lowest..self.lowest + self.length as i64;
+            let dense = Polynomial::new(exponents.map(|e| part.coefficient(e)).collect());
+            dense.divide_by_monic(&divisor).1
+        };
+        let remainders: Vec<((u32, u32), Polynomial<Rational>)> =
+            self.parts.iter().map(|(key, part)| (*key, remainder(part))).collect();
+        let condition = |k: usize| {
             remainders.iter().fold(Polynomial::zero(), |sum, ((i, j), r)| {
-                let row = Polynomial::monomial(r.coefficient(e), *i as usize);
+                let row = Polynomial::monomial(r.coefficient(k), *i as usize);
                 sum.plus(&Polynomial::monomial(row, *j as usize))
             })
         };
-        (low..=high).map(condition).filter(|c| !c.is_zero()).collect()
+        let degree = divisor.degree().unwrap_or(0);
+        (0..degree).map(condition).filter(|c| !c.is_zero()).collect()
     }
 
     /// The mask at a point of the plane of `(x, y)`, moving along a direction: `p + t q`.

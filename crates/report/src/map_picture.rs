@@ -97,19 +97,18 @@ impl Maps {
         }]
     }
 
-    /// The name of each order in the largest of its pieces that no higher order has.
+    /// The name of each order in the largest of its pieces of which the middle has no higher order.
     fn labels(&self, svg: &mut String, frame: &Frame) {
         for (k, map) in self.maps.iter().enumerate() {
             let mut best: Option<(f64, f64, f64)> = None;
             for cell in map.cells.iter().filter(|cell| cell.verdict == CellVerdict::Proved) {
-                let points = corners(map, frame, &cell.polygon.points());
-                let count = points.len() as f64;
-                let x = points.iter().map(|p| p.0).sum::<f64>() / count;
-                let y = points.iter().map(|p| p.1).sum::<f64>() / count;
-                let area = shoelace(&points);
-                let covered = self.maps.get(k + 1).is_some_and(|next| has(next, frame, x, y));
-                let visible = !covered && x > LEFT + 12.0 && x < LEFT + WIDTH - 12.0;
-                if visible && best.is_none_or(|(most, ..)| area > most) {
+                let points = cell.polygon.points();
+                let middle = mean(&points);
+                let covered = self.maps.get(k + 1).is_some_and(|next| is_proved(next, &middle));
+                let place = corners(map, frame, &[middle]).first().copied();
+                let Some((x, y)) = place.filter(|_| !covered) else { continue };
+                let area = shoelace(&corners(map, frame, &points));
+                if best.is_none_or(|(most, ..)| area > most) {
                     best = Some((area, x, y));
                 }
             }
@@ -339,16 +338,15 @@ fn corners(map: &Map, frame: &Frame, points: &[[Rational; 2]]) -> Vec<(f64, f64)
     all
 }
 
-/// Whether a place of the picture is in a proved piece.
-fn has(map: &Map, frame: &Frame, x: f64, y: f64) -> bool {
+fn mean(points: &[[Rational; 2]]) -> [Rational; 2] {
+    let count = Rational::from_i64(points.len() as i64);
+    [0, 1].map(|i| points.iter().map(|p| p[i].clone()).sum::<Rational>() / &count)
+}
+
+/// Whether a point of the plane of `(x, y)` is in a proved piece.
+fn is_proved(map: &Map, point: &[Rational; 2]) -> bool {
     let proved = map.cells.iter().filter(|cell| cell.verdict == CellVerdict::Proved);
-    proved.into_iter().any(|cell| {
-        let points = corners(map, frame, &cell.polygon.points());
-        let turns = points.iter().zip(points.iter().cycle().skip(1));
-        let turns: Vec<f64> =
-            turns.map(|(a, b)| (b.0 - a.0) * (y - a.1) - (b.1 - a.1) * (x - a.0)).collect();
-        turns.iter().all(|t| *t >= 0.0) || turns.iter().all(|t| *t <= 0.0)
-    })
+    proved.into_iter().any(|cell| cell.polygon.contains(point))
 }
 
 fn shoelace(points: &[(f64, f64)]) -> f64 {

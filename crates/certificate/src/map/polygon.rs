@@ -1,6 +1,6 @@
 //! Convex polygons with rational corners, exactly.
 
-use refinable_algebra::{Integer, Ordered, Rational, Ring, clear_denominators, integer};
+use refinable_algebra::{GcdDomain, Integer, Ordered, Rational, Ring, clear_denominators, integer};
 
 /// Integers `(X, Y, W)`, `W > 0`, that stand for the point `(X/W, Y/W)`.
 pub(crate) type Corner = [Integer; 3];
@@ -28,7 +28,9 @@ impl Line {
     fn meet(&self, other: &Line) -> Corner {
         let ([a, b, c], [d, e, f]) = (&self.0, &other.0);
         let corner = [c * e - f * b, a * f - d * c, a * e - d * b];
-        if corner[2].compare_to_zero().is_lt() { corner.map(|x| -x) } else { corner }
+        let divisor = corner.iter().fold(Integer::zero(), |g, x| GcdDomain::gcd(&g, x));
+        let negative = corner[2].compare_to_zero().is_lt();
+        corner.map(|x| if negative { -x / &divisor } else { x / &divisor })
     }
 }
 
