@@ -11,6 +11,7 @@
 //! | `contractivity` | [`NormRange`]: the exact parameter set that norms prove |
 //! | `line`, `moebius` | [`Line`]: families along a line of masks |
 //! | `plane` | [`Plane`]: families of two parameters, as planes of masks |
+//! | `level_one` | the polygon that norms at level one prove, of a [`Plane`] |
 //! | `map` | [`Map`]: where in a box of two parameters C^n holds and fails, with the certificate |
 //! | `stability` | where smoothness follows contraction; reduced masks |
 //! | `continuity`, `proof` | [`ContinuityRange`]: where C^n holds and fails, with the certificate |
@@ -24,6 +25,7 @@ mod continuity;
 mod contractivity;
 mod degrees;
 mod difference;
+mod level_one;
 mod line;
 mod map;
 mod moebius;

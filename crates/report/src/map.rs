@@ -4,7 +4,7 @@ use refinable_algebra::{
     Monomial, Parameter, ParameterPolynomial, Polynomial, Rational, Ring, decimal, parse_rational,
 };
 use refinable_analysis::{Area, Map, Plane, Sharpness, Window, default_window, map, region_of};
-use refinable_certificate::{CellVerdict, Conclusion, Inequality, Node, Terms};
+use refinable_certificate::{CellVerdict, Conclusion, Inequality, Node, Polygon, Terms};
 use refinable_scheme::{Diagnostic, Scheme, Substitution};
 use serde_json::{Value, json};
 
@@ -95,6 +95,15 @@ impl Maps {
                     "C^{n} may hold on the line (x, y) = ({x}, {y}) + t ({dx}, {dy}) only: {verdict}"
                 )
             }));
+            if let Some(polygon) = map.plane.level_one(n) {
+                let corners = corner_texts(&polygon);
+                let corners: Vec<String> =
+                    corners.iter().map(|[x, y]| format!("({x}, {y})")).collect();
+                remarks.push(format!(
+                    "level one proves C^{n} inside of the polygon of (x, y) with the corners {}",
+                    corners.join(" ")
+                ));
+            }
             if needs_stability(map) {
                 remarks.push(format!(
                     "what is refuted for C^{n} is refuted wherever the shifts of the basic limit function \
@@ -116,12 +125,7 @@ impl Maps {
             .cells
             .iter()
             .map(|cell| {
-                let corners: Vec<[String; 2]> = cell
-                    .polygon
-                    .points()
-                    .iter()
-                    .map(|p| p.each_ref().map(ToString::to_string))
-                    .collect();
+                let corners = corner_texts(&cell.polygon);
                 json!({
                     "verdict": verdict(cell.verdict),
                     "polygon": corners,
@@ -163,12 +167,17 @@ impl Maps {
                 "proved": area_number(&proved), "refuted": area_number(&refuted),
                 "undecided": area_number(&undecided),
             },
+            "level_one": map.plane.level_one(map.continuity()).map(|p| corner_texts(&p)),
             "refuted_if_stable": needs_stability(map),
             "cells": cells,
             "boundaries": boundaries,
             "sections": sections,
         })
     }
+}
+
+fn corner_texts(polygon: &Polygon) -> Vec<[String; 2]> {
+    polygon.points().iter().map(|p| p.each_ref().map(ToString::to_string)).collect()
 }
 
 /// Whether a piece is refuted only where shifts are stable.

@@ -1,0 +1,301 @@
+//! Maps over two parameters: against single values, against ranges along curves, against the paper's
+//! conditions; and that no map holds when it is changed.
+
+use refinable_algebra::{
+    Parameter, ParameterFraction, ParameterPolynomial, Rational, Ring, decimal, rational,
+};
+use refinable_analysis::{
+    Map, MapVerdict, Plane, PointVerdict, Sharpness, Window, continuity_at, continuity_range, map,
+};
+use refinable_certificate::{CellVerdict, MapCertificate, Node, Number, verify_map};
+use refinable_reals::RealAlgebraic;
+use refinable_scheme::{Scheme, Substitution};
+
+fn scheme(text: &str) -> Scheme {
+    Scheme::resolve(text, 2).unwrap()
+}
+
+fn window(ends: [[(i64, i64); 2]; 2]) -> Window {
+    ends.map(|span| span.map(|(p, q)| rational(p, q)))
+}
+
+fn map_of(text: &str, continuity: usize, ends: [[(i64, i64); 2]; 2]) -> Map {
+    let scheme = scheme(text);
+    let sharpness = Sharpness::default();
+    map(scheme.name(), scheme.mask(), continuity, &window(ends), &sharpness).unwrap()
+}
+
+fn at(family: &Scheme, map: &Map, point: &[Rational; 2]) -> Scheme {
+    let substitution = |(parameter, value): (&Parameter, &Rational)| {
+        let value = ParameterFraction::from(ParameterPolynomial::constant(value.clone()));
+        Substitution::new(parameter.clone(), value)
+    };
+    let substitutions = map.plane.parameters().iter().zip(point).map(substitution);
+    family.with(&substitutions.collect::<Vec<_>>()).unwrap()
+}
+
+/// Rational points of the box without a pattern.
+fn points(window: &Window, count: u64) -> impl Iterator<Item = [Rational; 2]> + '_ {
+    let mut state = 0x9e37_79b9_7f4a_7c15_u64;
+    let mut next = move || {
+        state =
+            state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 40) as i64
+    };
+    (0..count).map(move |_| {
+        [0, 1].map(|i| {
+            let [low, high] = &window[i];
+            low + (high - low) * rational(next(), 1 << 24)
+        })
+    })
+}
+
+/// Every decided point is decided in the same way on its own, and most are decided.
+fn agrees_with_single_values(text: &str, map: &Map, count: u64) {
+    let family = scheme(text);
+    let window = map.window();
+    let mut decided = [0, 0];
+    for point in points(&window, count) {
+        let expected = match map.verdict_at(&point) {
+            MapVerdict::Undecided => continue,
+            MapVerdict::Proved => PointVerdict::Proved,
+            MapVerdict::Refuted => PointVerdict::Refuted,
+        };
+        decided[usize::from(expected == PointVerdict::Refuted)] += 1;
+        let single = at(&family, map, &point);
+        let sharpness = Sharpness::default();
+        let (found, _) = continuity_at(text, single.mask(), map.continuity(), &sharpness).unwrap();
+        assert_eq!(found, expected, "{text} C^{} at {point:?}", map.continuity());
+    }
+    let [proved, refuted] = decided;
+    assert!(proved + refuted > count * 9 / 10, "{text}: {proved} proved, {refuted} refuted");
+    assert!(proved > count / 20 && refuted > count / 20, "{text}: {proved}, {refuted}");
+}
+
+/// What is undecided against what is proved.
+fn undecided_part(map: &Map) -> Rational {
+    let [proved, _, undecided] = map.areas();
+    undecided.upper / proved.lower
+}
+
+fn three(continuity: usize) -> Map {
+    map_of("a3", continuity, [[(-3, 8), (1, 1)], [(-7, 8), (9, 4)]])
+}
+
+#[test]
+fn a3_converges_where_single_values_say_so() {
+    let map = three(0);
+    agrees_with_single_values("a3", &map, 200);
+    assert!(undecided_part(&map) < rational(1, 100), "{}", undecided_part(&map));
+    // The pieces make up the box: 11/8 times 25/8.
+    let areas = map.areas();
+    let sum = |f: fn(&refinable_analysis::Area) -> &Rational| -> Rational {
+        areas.iter().map(f).cloned().sum()
+    };
+    let (lower, upper) = (sum(|a| &a.lower), sum(|a| &a.upper));
+    assert!(lower <= rational(275, 64) && rational(275, 64) <= upper);
+    assert!(upper - lower < rational(1, 1_000_000_000));
+}
+
+#[test]
+fn a3_is_c1_where_single_values_say_so() {
+    let map = map_of("a3", 1, [[(0, 1), (1, 2)], [(-1, 4), (1, 4)]]);
+    agrees_with_single_values("a3", &map, 200);
+    assert!(undecided_part(&map) < rational(1, 100), "{}", undecided_part(&map));
+}
+
+/// The ends of the ranges along the paper's curve are not inside of pieces that say otherwise.
+#[test]
+fn sections_agree_with_ranges_along_the_curve() {
+    let curve = "beta=(8*alpha-1)/(16*(1-alpha))";
+    let family = scheme("a3");
+    let substitution = Substitution::parse(curve).unwrap();
+    let along = family.with(std::slice::from_ref(&substitution)).unwrap();
+    let alpha = Parameter::new("alpha");
+    let map = three(0);
+    let range = continuity_range("a3", along.mask(), &alpha, 0, &Sharpness::default()).unwrap();
+    let mut decided = 0;
+    for k in -23..64 {
+        let a = rational(k, 64);
+        let beta =
+            (rational(8, 1) * &a - rational(1, 1)) / (rational(16, 1) * (rational(1, 1) - &a));
+        let verdict = map.verdict_at(&[a.clone(), beta.clone()]);
+        if beta < rational(-7, 8) || beta > rational(9, 4) || verdict == MapVerdict::Undecided {
+            continue;
+        }
+        decided += 1;
+        let x = RealAlgebraic::from(a.clone());
+        assert_eq!(range.proved.contains(&x), verdict == MapVerdict::Proved, "{a}");
+        assert_eq!(range.refuted.contains(&x), verdict == MapVerdict::Refuted, "{a}");
+    }
+    assert!(decided > 50, "{decided}");
+}
+
+/// Where `σ^(n+1)` divides on a line only, the map is refuted off it and has the range on it.
+#[test]
+fn beyond_the_order_only_a_line_is_left() {
+    let map = map_of("a3", 3, [[(0, 1), (1, 2)], [(-1, 4), (1, 4)]]);
+    assert!(map.cells.iter().all(|c| c.verdict == CellVerdict::Refuted { if_stable: true }));
+    let [section] = &map.certificate.sections[..] else { panic!("one line") };
+    // β(1 - α) = (8α - 1)/16, and C^3 for 1/8 < α < 3/8.
+    assert_eq!(section.origin, [0, -1].map(|p| Number(rational(p, 16))));
+    assert_eq!(section.direction, [(1, 1), (1, 2)].map(|(p, q)| Number(rational(p, q))));
+    let refinable_certificate::Conclusion::Continuity { proved, .. } =
+        &section.certificate.conclusion
+    else {
+        panic!("about continuity")
+    };
+    assert_eq!(refinable_analysis::region_of(proved).display("t"), "(1/8, 3/8)");
+}
+
+/// Affine in both parameters, without a chart, and quadratic ones, of which control points decide.
+#[test]
+fn any_polynomial_mask_has_a_map() {
+    for (text, affine) in [
+        ("[b, a, 1/2-b, 1-2*a, 1/2-b, a, b]", true),
+        ("[b, a^2, 1/2-b, 1-2*a^2, 1/2-b, a^2, b]", false),
+    ] {
+        let family = scheme(text);
+        let plane = Plane::new(text, family.mask()).unwrap();
+        assert_eq!((plane.is_affine(), plane.factor().is_none()), (affine, true), "{text}");
+        let map = map_of(text, 0, [[(-1, 1), (1, 1)], [(-1, 1), (3, 2)]]);
+        agrees_with_single_values(text, &map, 60);
+    }
+}
+
+/// The conditions that the paper prints, Theorem on `S_{a3}`, `S_{a5}` and `S_{a7}`, in `(α, b)`.
+#[test]
+fn level_one_is_what_the_paper_prints() {
+    let r = rational;
+    let abs = |x: Rational| if x < Rational::zero() { -x } else { x };
+    let max = |a: Rational, b: Rational| if a > b { a } else { b };
+    let three = |a: &Rational, b: &Rational| {
+        let first = abs(r(2, 1) * a - r(4, 1) * b) * r(2, 1);
+        let second = abs(r(2, 1) * b) * r(2, 1) + abs(r(1, 1) + r(4, 1) * b - r(4, 1) * a);
+        max(first, second)
+    };
+    let five = |a: &Rational, b: &Rational| {
+        let first =
+            abs(b.clone()) * r(16, 1) + abs(r(1, 2) - r(56, 1) * b - r(32, 1) * a) * r(2, 1);
+        let second =
+            abs(r(32, 1) * b + r(8, 1) * a) * r(2, 1) + abs(r(2, 1) - r(48, 1) * a - r(64, 1) * b);
+        max(first, second)
+    };
+    type Condition<'a> = &'a dyn Fn(&Rational, &Rational) -> Rational;
+    for (text, n, condition) in [("a3", 1, &three as Condition), ("a5", 3, &five as Condition)] {
+        let family = scheme(text);
+        let polygon = Plane::new(text, family.mask()).unwrap().level_one(n).unwrap();
+        let corners = polygon.points();
+        // At the corners the printed norm is one, and less in the middle of each edge or as much.
+        for [a, b] in &corners {
+            assert_eq!(condition(a, b), r(1, 1), "{text}");
+        }
+        for ([a, b], [c, d]) in corners.iter().zip(corners.iter().cycle().skip(1)) {
+            assert_eq!(condition(&((a + c) / r(2, 1)), &((b + d) / r(2, 1))), r(1, 1), "{text}");
+        }
+    }
+    // The printed C^5 condition of S_{a7} is never satisfied, but the norm at level one is below one
+    // nowhere either.
+    let seven = scheme("a7");
+    assert!(Plane::new("a7", seven.mask()).unwrap().level_one(5).is_none());
+}
+
+/// Every change of a number that a proof rests on is found.
+#[test]
+fn changed_maps_do_not_hold() {
+    let map = map_of("a3", 1, [[(0, 1), (1, 4)], [(-1, 8), (1, 4)]]).certificate;
+    assert!(verify_map(&map).is_ok());
+    let read = MapCertificate::read(map.to_json().as_bytes()).unwrap();
+    assert_eq!(read, map);
+    let fails = |change: &dyn Fn(&mut MapCertificate)| {
+        let mut changed = map.clone();
+        change(&mut changed);
+        assert!(changed != map && verify_map(&changed).is_err());
+    };
+    fails(&|m| m.continuity = 2);
+    fails(&|m| m.family.order = 3);
+    fails(&|m| m.family.mask[0][0].0 = Number(rational(1, 3)));
+    fails(&|m| m.family.chart.as_mut().unwrap().factor[0] = Number(rational(2, 1)));
+    fails(&|m| m.family.chart = None);
+    fails(&|m| m.window[0][1] = Number(rational(-1, 1)));
+    fails(&|m| m.window[0][1] = Number(rational(2, 1)));
+    fails(&|m| m.stable_at = None);
+    fails(&|m| m.stable_at = Some([(1, 4), (0, 1)].map(|(p, q)| Number(rational(p, q)))));
+    fails(&|m| m.roots = vec![1]);
+    fails(&|m| m.roots = vec![0, 0]);
+    fails(&|m| {
+        m.nodes.pop();
+    });
+    fails(&|m| m.nodes.push(Node::Undecided));
+    let places = |f: fn(&Node) -> bool| -> Vec<usize> {
+        (0..map.nodes.len()).filter(|&i| f(&map.nodes[i])).collect()
+    };
+    for i in places(|n| matches!(n, Node::Cut { .. })) {
+        fails(&|m| {
+            if let Node::Cut { below, above, .. } = &mut m.nodes[i] {
+                *below = *above;
+            }
+        });
+        fails(&|m| {
+            if let Node::Cut { line, .. } = &mut m.nodes[i] {
+                line[2] = Number(rational(1 << 30, 1));
+            }
+        });
+    }
+    let words = places(|n| matches!(n, Node::Word(_)));
+    let polytopes = places(|n| matches!(n, Node::Polytope(_)));
+    assert!(words.len() > 5 && polytopes.len() > 5);
+    // What is proved is not refuted, and the other way round.
+    fails(&|m| m.nodes[words[0]] = m.nodes[polytopes[0]].clone());
+    fails(&|m| m.nodes[polytopes[0]] = m.nodes[words[0]].clone());
+    fails(&|m| m.nodes[words[0]] = Node::Norm);
+    fails(&|m| m.nodes[polytopes[0]] = Node::Indivisible);
+    for &i in &words {
+        fails(&|m| {
+            if let Node::Word(inequality) = &mut m.nodes[i] {
+                inequality.radius = 1000;
+            }
+        });
+        fails(&|m| {
+            if let Node::Word(inequality) = &mut m.nodes[i] {
+                inequality.block = 50;
+            }
+        });
+    }
+    for &i in polytopes.iter().take(10) {
+        fails(&|m| {
+            if let Node::Polytope(p) = &mut m.nodes[i] {
+                p.vertices[0][0] = 1 << 40;
+            }
+        });
+        fails(&|m| {
+            if let Node::Polytope(p) = &mut m.nodes[i] {
+                p.images[0][0][0].1 += 1 << p.weight_bits;
+            }
+        });
+        fails(&|m| {
+            if let Node::Polytope(p) = &mut m.nodes[i] {
+                p.images[0].pop();
+            }
+        });
+        fails(&|m| {
+            if let Node::Polytope(p) = &mut m.nodes[i] {
+                p.units[0].clear();
+            }
+        });
+        fails(&|m| {
+            if let Node::Polytope(p) = &mut m.nodes[i] {
+                p.images[0][0][0].0 = 100_000;
+            }
+        });
+    }
+}
+
+/// Pieces have straight edges in `(x, y)`, but their areas are meant in the parameters.
+#[test]
+fn areas_make_up_the_box_of_the_parameters() {
+    let map = map_of("a3", 1, [[(0, 1), (1, 2)], [(0, 1), (1, 4)]]);
+    let [proved, refuted, undecided] = map.areas();
+    let total = proved.lower + refuted.lower + undecided.lower;
+    assert_eq!(decimal(&total, 12), "0.125");
+}
