@@ -5,7 +5,8 @@ use refinable_algebra::{
     Parameter, ParameterFraction, ParameterPolynomial, Rational, Ring, decimal, rational,
 };
 use refinable_analysis::{
-    Map, MapVerdict, Plane, PointVerdict, Sharpness, Window, continuity_at, continuity_range, map,
+    Fineness, Map, MapVerdict, Plane, PointVerdict, Sharpness, Window, continuity_at,
+    continuity_range, map,
 };
 use refinable_certificate::{CellVerdict, MapCertificate, Node, Number, verify_map};
 use refinable_reals::RealAlgebraic;
@@ -21,8 +22,8 @@ fn window(ends: [[(i64, i64); 2]; 2]) -> Window {
 
 fn map_of(text: &str, continuity: usize, ends: [[(i64, i64); 2]; 2]) -> Map {
     let scheme = scheme(text);
-    let sharpness = Sharpness::default();
-    map(scheme.name(), scheme.mask(), continuity, &window(ends), &sharpness).unwrap()
+    let fineness = Fineness::default();
+    map(scheme.name(), scheme.mask(), continuity, &window(ends), &fineness).unwrap()
 }
 
 fn at(family: &Scheme, map: &Map, point: &[Rational; 2]) -> Scheme {
@@ -146,6 +147,14 @@ fn beyond_the_order_only_a_line_is_left() {
         panic!("about continuity")
     };
     assert_eq!(refinable_analysis::region_of(proved).display("t"), "(1/8, 3/8)");
+    // β = (8α - 1)/(16 (1 - α)) is 1/26 at α = 3/16, and -3/62 at α = 1/32.
+    for (point, expected) in [
+        ([(3, 16), (1, 26)], MapVerdict::Proved),
+        ([(1, 32), (-3, 62)], MapVerdict::Refuted),
+        ([(3, 16), (1, 27)], MapVerdict::Refuted),
+    ] {
+        assert_eq!(map.verdict_at(&point.map(|(p, q)| rational(p, q))), expected, "{point:?}");
+    }
 }
 
 /// Affine in both parameters, without a chart, and quadratic ones, of which control points decide.

@@ -49,7 +49,7 @@ pub use contractivity::{NormRange, Work, norm_range, norm_values};
 pub use degrees::{Degrees, GenerationDegree, ReproductionDegree, Stratum, degrees};
 pub use difference::{ClearedSymbol, DifferenceSymbol};
 pub use line::Line;
-pub use map::{Area, Map, MapVerdict, default_window, map};
+pub use map::{Area, Fineness, Map, MapVerdict, default_window, map};
 pub use norm::{Comparison, Norm, NormRow};
 pub use piecewise::RowCondition;
 pub use plane::Plane;

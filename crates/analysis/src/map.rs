@@ -4,14 +4,14 @@ use std::sync::{Arc, LazyLock};
 
 use refinable_algebra::{Parameter, Polynomial, Rational, Ring, rational};
 use refinable_certificate::{
-    Cell, CellVerdict, Inequality, MAP_FORMAT, MapCertificate, MapChecker, Node, Number, Polygon,
-    Section, Terms, VERSION, verify_map,
+    Cell, CellVerdict, Conclusion, Inequality, MAP_FORMAT, MapCertificate, MapChecker, Node,
+    Number, Polygon, Section, Terms, VERSION, verify_map,
 };
-use refinable_reals::logarithm;
+use refinable_reals::{RealAlgebraic, logarithm};
 use refinable_scheme::{Diagnostic, Normalised};
 use refinable_spectral::{Effort, Window, outline, partition};
 
-use crate::continuity::Sharpness;
+use crate::continuity::{Sharpness, region_of};
 use crate::line::Line;
 use crate::plane::Plane;
 use crate::proof::Proof;
@@ -37,6 +37,22 @@ pub enum MapVerdict {
     Refuted,
     /// Nothing is said: the point is in no decided piece, or the shifts may be unstable there.
     Undecided,
+}
+
+/// When a map is fine enough.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Fineness {
+    /// The part of the proved area that may be left undecided, about.
+    pub undecided: Rational,
+    /// The number of nodes of the certificate beyond which nothing is cut any more.
+    pub nodes: usize,
+}
+
+impl Default for Fineness {
+    /// A hundred and sixtieth part, but for a minute of work at the most and some ten megabytes.
+    fn default() -> Self {
+        Fineness { undecided: rational(1, 160), nodes: 8000 }
+    }
 }
 
 /// Bounds for an area in the plane of the parameters.
@@ -84,7 +100,7 @@ pub fn map(
     mask: &Normalised,
     continuity: usize,
     window: &Window,
-    sharpness: &Sharpness,
+    fineness: &Fineness,
 ) -> Result<Map, Diagnostic> {
     let plane = Plane::new(name, mask)?;
     check_window(window)?;
@@ -100,7 +116,7 @@ pub fn map(
     let (roots, mut nodes, sections);
     if continuity < order {
         let pencil = plane.pencil(order, &bound(&plane, order, continuity));
-        let effort = Effort { rest: rational(1, 160), nodes: 8_000 };
+        let effort = Effort { rest: fineness.undecided.clone(), nodes: fineness.nodes };
         (roots, nodes) = partition(&pencil, &checker, &parts, plane.factor(), &effort);
         if continuity > 0 && stable_at.is_none() {
             forget_refuted(&mut nodes);
@@ -110,7 +126,7 @@ pub fn map(
         let node = if stable_at.is_some() { Node::Indivisible } else { Node::Undecided };
         roots = (0..parts.len()).collect();
         nodes = vec![node; parts.len()];
-        sections = on_line(&plane, continuity, sharpness);
+        sections = on_line(&plane, continuity);
     }
     let certificate = MapCertificate {
         format: MAP_FORMAT.into(),
@@ -182,7 +198,7 @@ fn forget_refuted(nodes: &mut [Node]) {
 }
 
 /// C^n on the line, or at the point, where `σ^(n+1)` divides, if there is one and masks are affine.
-fn on_line(plane: &Plane, continuity: usize, sharpness: &Sharpness) -> Vec<Section> {
+fn on_line(plane: &Plane, continuity: usize) -> Vec<Section> {
     let Some((origin, direction)) = common_line(&plane.divisibility(continuity + 1)) else {
         return Vec::new();
     };
@@ -190,7 +206,8 @@ fn on_line(plane: &Plane, continuity: usize, sharpness: &Sharpness) -> Vec<Secti
     let moves = direction.iter().any(|d| !d.is_zero());
     let parameter = moves.then(|| Parameter::new("t"));
     let line = Line::through(plane.name(), plane.arity(), parameter, masks);
-    let mut proof = Proof::new(&line, line.order(), continuity, sharpness);
+    let sharpness = Sharpness::default();
+    let mut proof = Proof::new(&line, line.order(), continuity, &sharpness);
     proof.search();
     let certificate = proof.certificate();
     vec![Section { origin: origin.map(Number), direction: direction.map(Number), certificate }]
@@ -266,16 +283,45 @@ impl Map {
     fn combined(&self, verdicts: &[CellVerdict], point: &[Rational; 2]) -> MapVerdict {
         let says = |verdict: CellVerdict| verdicts.contains(&verdict);
         if says(CellVerdict::Proved) {
-            MapVerdict::Proved
-        } else if says(CellVerdict::Refuted { if_stable: false }) {
-            MapVerdict::Refuted
-        } else if says(CellVerdict::Refuted { if_stable: true })
-            && self.certificate.sections.is_empty()
-            && self.checker.is_generic(point)
-        {
-            MapVerdict::Refuted
-        } else {
-            MapVerdict::Undecided
+            return MapVerdict::Proved;
+        }
+        let beyond = self.continuity() >= self.certificate.family.order;
+        if beyond && self.divides_at(point) {
+            return self.on_section(point);
+        }
+        let refuted = says(CellVerdict::Refuted { if_stable: false })
+            || says(CellVerdict::Refuted { if_stable: true }) && self.checker.is_generic(point);
+        if refuted { MapVerdict::Refuted } else { MapVerdict::Undecided }
+    }
+
+    /// Whether `σ^(n+1)` divides the symbol at a point of the plane of `(x, y)`.
+    fn divides_at(&self, [x, y]: &[Rational; 2]) -> bool {
+        let conditions = self.plane.divisibility(self.continuity() + 1);
+        let value = |c: &Form| c.map(|row| row.evaluate(x)).evaluate(y);
+        conditions.iter().all(|c| value(c).is_zero())
+    }
+
+    /// What is proved at a point on the line of a section.
+    fn on_section(&self, point: &[Rational; 2]) -> MapVerdict {
+        let at = |section: &Section| {
+            let [origin, direction] =
+                [&section.origin, &section.direction].map(|p| p.each_ref().map(|c| c.0.clone()));
+            let moving = (0..2).find(|&i| !direction[i].is_zero());
+            let t =
+                moving.map_or_else(Rational::zero, |i| (&point[i] - &origin[i]) / &direction[i]);
+            let there = (0..2).all(|i| &origin[i] + &direction[i] * &t == point[i]);
+            there.then(|| RealAlgebraic::from(t))
+        };
+        let found = self.certificate.sections.iter().find_map(|s| Some((at(s)?, &s.certificate)));
+        let Some((t, certificate)) = found else { return MapVerdict::Undecided };
+        match &certificate.conclusion {
+            Conclusion::Continuity { proved, .. } if region_of(proved).contains(&t) => {
+                MapVerdict::Proved
+            }
+            Conclusion::Continuity { refuted, .. } if region_of(refuted).contains(&t) => {
+                MapVerdict::Refuted
+            }
+            _ => MapVerdict::Undecided,
         }
     }
 

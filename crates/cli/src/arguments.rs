@@ -68,21 +68,10 @@ pub enum Command {
     Map {
         #[command(flatten)]
         scheme: SchemeArguments,
-        /// The order n of C^n, or several: 2, 0..5
-        #[arg(long, short = 'n', value_name = "N[..M]")]
-        continuity: String,
-        /// The box, 'alpha=-1/4..3/4,beta=-1/2..1/2'; one that shows the set if left out
-        #[arg(long = "box", value_name = "BOX", allow_hyphen_values = true)]
-        window: Option<String>,
-        /// Draw a curve over the map, 'beta=(8*alpha-1)/(16*(1-alpha))'; repeatable
-        #[arg(long = "curve", value_name = "NAME=EXPRESSION", requires = "output")]
-        curves: Vec<String>,
-        /// Mark a point of the map, 'alpha=1/10,beta=-49/1152'; repeatable
-        #[arg(long = "mark", value_name = "POINT", requires = "output")]
-        marks: Vec<String>,
-        /// Write the map as a picture
-        #[arg(long, short, value_name = "FILE.svg")]
-        output: Option<PathBuf>,
+        #[command(flatten)]
+        map: MapArguments,
+        #[command(flatten)]
+        drawing: DrawingArguments,
         /// Write the certificate of the map, of a single order
         #[arg(long, value_name = "FILE.json")]
         certificate: Option<PathBuf>,
@@ -187,6 +176,37 @@ pub struct SchemeArguments {
     /// The arity of an inline mask or symbol
     #[arg(long, value_name = "M", default_value_t = 2, value_parser = clap::value_parser!(u32).range(2..=64))]
     pub arity: u32,
+}
+
+/// Which map, and how fine.
+#[derive(Args, Clone, Debug)]
+pub struct MapArguments {
+    /// The order n of C^n, or several: 2, 0..5
+    #[arg(long, short = 'n', value_name = "N[..M]")]
+    pub continuity: String,
+    /// The box, 'alpha=-1/4..3/4,beta=-1/2..1/2'; one that shows the set if left out
+    #[arg(long = "box", value_name = "BOX", allow_hyphen_values = true)]
+    pub window: Option<String>,
+    /// Which part of the proved area may be left undecided
+    #[arg(long, value_name = "PART", default_value = "1/160")]
+    pub undecided: String,
+    /// Cut nothing any more beyond this number of nodes, undecided or not
+    #[arg(long, value_name = "N", default_value_t = 8000, value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    pub nodes: u32,
+}
+
+/// What to draw.
+#[derive(Args, Clone, Debug)]
+pub struct DrawingArguments {
+    /// Write the map as a picture
+    #[arg(long, short, value_name = "FILE.svg")]
+    pub output: Option<PathBuf>,
+    /// Draw a curve over the map, 'beta=(8*alpha-1)/(16*(1-alpha))'; repeatable
+    #[arg(long = "curve", value_name = "NAME=EXPRESSION", requires = "output")]
+    pub curves: Vec<String>,
+    /// Mark a point of the map, 'alpha=1/10,beta=-49/1152'; repeatable
+    #[arg(long = "mark", value_name = "POINT", requires = "output")]
+    pub marks: Vec<String>,
 }
 
 /// How to print.

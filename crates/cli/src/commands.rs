@@ -7,7 +7,7 @@ use std::process::ExitCode;
 
 use indicatif::{ProgressBar, ProgressStyle};
 use refinable_algebra::{parse_rational, rational};
-use refinable_analysis::{Budget, Map, Options, Sharpness, continuity_at, regularity};
+use refinable_analysis::{Budget, Fineness, Map, Options, Sharpness, continuity_at, regularity};
 use refinable_certificate::{Certificate, MapCertificate, verify, verify_map};
 use refinable_papers::{Claims, Paper, Table};
 use refinable_report::{
@@ -17,7 +17,8 @@ use refinable_report::{
 use refinable_scheme::{Scheme, Substitution};
 
 use crate::arguments::{
-    Arguments, AuditArguments, Command, Format, FormatArgument, ReportAction, SchemeArguments,
+    Arguments, AuditArguments, Command, Format, FormatArgument, MapArguments, ReportAction,
+    SchemeArguments,
 };
 use crate::failure::Failure;
 use crate::{files, output};
@@ -60,10 +61,12 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
             let found = regularity(scheme.name(), scheme.mask(), &Options::default())?;
             output::print(&regularity_table(&scheme, &found), format.format)?;
         }
-        Command::Map { scheme, continuity, window, curves, marks, output, certificate, format } => {
-            let maps = Maps::new(&resolve(scheme)?, continuity, window.as_deref())?;
-            if let Some(path) = output {
-                files::write_file(path, &maps.picture(curves, marks)?)?;
+        Command::Map { scheme, map, drawing, certificate, format } => {
+            let fineness = fineness(map)?;
+            let scheme = resolve(scheme)?;
+            let maps = Maps::new(&scheme, &map.continuity, map.window.as_deref(), &fineness)?;
+            if let Some(path) = &drawing.output {
+                files::write_file(path, &maps.picture(&drawing.curves, &drawing.marks)?)?;
             }
             if let Some(path) = certificate {
                 files::write_file(path, &format!("{}\n", only_map(&maps)?.certificate.to_json()))?;
@@ -105,6 +108,15 @@ fn resolve(arguments: &SchemeArguments) -> Result<Scheme, Failure> {
         substitutions.push(Substitution::parse(text)?);
     }
     Ok(Scheme::resolve_with(&arguments.scheme, arguments.arity as usize, &substitutions)?)
+}
+
+fn fineness(arguments: &MapArguments) -> Result<Fineness, Failure> {
+    let part = parse_rational(&arguments.undecided);
+    let Some(undecided) = part.filter(|x| *x > rational(0, 1) && *x < rational(1, 1)) else {
+        let hint = "give a number between 0 and 1, for example --undecided 1/160";
+        return Err(Failure::new("undecided", "the part is not such a number", hint));
+    };
+    Ok(Fineness { undecided, nodes: arguments.nodes as usize })
 }
 
 fn only_map(maps: &Maps) -> Result<&Map, Failure> {

@@ -3,7 +3,7 @@
 use refinable_algebra::{
     Monomial, Parameter, ParameterPolynomial, Polynomial, Rational, Ring, decimal, parse_rational,
 };
-use refinable_analysis::{Area, Map, Plane, Sharpness, Window, default_window, map, region_of};
+use refinable_analysis::{Area, Fineness, Map, Plane, Window, default_window, map, region_of};
 use refinable_certificate::{CellVerdict, Conclusion, Inequality, Node, Polygon, Terms};
 use refinable_scheme::{Diagnostic, Scheme, Substitution};
 use serde_json::{Value, json};
@@ -26,15 +26,19 @@ impl Maps {
     ///
     /// # Errors
     /// A text that is no such request; whatever [`map`] refuses.
-    pub fn new(scheme: &Scheme, orders: &str, window: Option<&str>) -> Result<Maps, Diagnostic> {
+    pub fn new(
+        scheme: &Scheme,
+        orders: &str,
+        window: Option<&str>,
+        fineness: &Fineness,
+    ) -> Result<Maps, Diagnostic> {
         let orders = parse_orders(orders)?;
         let (name, mask) = (scheme.name(), scheme.mask());
         let window = match window {
             Some(text) => parse_window(scheme, text)?,
             None => default_window(name, mask, orders[0])?,
         };
-        let sharpness = Sharpness::default();
-        let maps = orders.iter().map(|&n| map(name, mask, n, &window, &sharpness));
+        let maps = orders.iter().map(|&n| map(name, mask, n, &window, fineness));
         Ok(Maps { scheme: name.into(), maps: maps.collect::<Result<_, _>>()? })
     }
 
