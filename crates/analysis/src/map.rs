@@ -4,7 +4,7 @@ use std::sync::{Arc, LazyLock};
 
 use refinable_algebra::{Parameter, Polynomial, Rational, Ring, rational};
 use refinable_certificate::{
-    Cell, CellVerdict, Conclusion, Inequality, MAP_FORMAT, MapCertificate, MapChecker, Node,
+    Cell, CellVerdict, Conclusion, Inequality, Line, MAP_FORMAT, MapCertificate, MapChecker, Node,
     Number, Polygon, Section, Terms, VERSION, verify_map,
 };
 use refinable_reals::{RealAlgebraic, logarithm};
@@ -12,7 +12,7 @@ use refinable_scheme::{Diagnostic, Normalised};
 use refinable_spectral::{Effort, Window, outline, partition};
 
 use crate::continuity::{Sharpness, region_of};
-use crate::line::Line;
+use crate::line::Line as LineOfMasks;
 use crate::plane::Plane;
 use crate::proof::Proof;
 
@@ -26,6 +26,10 @@ pub struct Map {
     /// The pieces of the plane of `(x, y)`, as the certificate proves them.
     pub cells: Vec<Cell>,
     checker: Arc<MapChecker>,
+    /// The parts of the box, the line of each node that is cut, the verdict of each that is not.
+    parts: Vec<Polygon>,
+    lines: Vec<Option<Line>>,
+    verdicts: Vec<Option<CellVerdict>>,
 }
 
 /// What a map says at a point.
@@ -139,8 +143,7 @@ pub fn map(
         nodes,
         sections,
     };
-    let cells = verify_map(&certificate).map_err(invalid)?;
-    Ok(Map { plane, certificate, cells, checker: checker.into() })
+    Map::checked(plane, certificate, checker)
 }
 
 fn invalid(invalid: refinable_certificate::Invalid) -> Diagnostic {
@@ -205,7 +208,7 @@ fn on_line(plane: &Plane, continuity: usize) -> Vec<Section> {
     let Some(masks) = plane.along(&origin, &direction) else { return Vec::new() };
     let moves = direction.iter().any(|d| !d.is_zero());
     let parameter = moves.then(|| Parameter::new("t"));
-    let line = Line::through(plane.name(), plane.arity(), parameter, masks);
+    let line = LineOfMasks::through(plane.name(), plane.arity(), parameter, masks);
     let sharpness = Sharpness::default();
     let mut proof = Proof::new(&line, line.order(), continuity, &sharpness);
     proof.search();
@@ -257,8 +260,26 @@ impl Map {
             return None;
         }
         let checker = MapChecker::new(&certificate.family, certificate.continuity).ok()?;
-        let cells = verify_map(certificate).ok()?;
-        Some(Map { plane, certificate: certificate.clone(), cells, checker: checker.into() })
+        Map::checked(plane, certificate.clone(), checker).ok()
+    }
+
+    fn checked(
+        plane: Plane,
+        certificate: MapCertificate,
+        checker: MapChecker,
+    ) -> Result<Map, Diagnostic> {
+        let cells = verify_map(&certificate).map_err(invalid)?;
+        let mut verdicts = vec![None; certificate.nodes.len()];
+        cells.iter().for_each(|cell| verdicts[cell.node] = Some(cell.verdict));
+        let line = |node: &Node| match node {
+            Node::Cut { line: [a, b, c], .. } => Line::new(&a.0, &b.0, &c.0),
+            _ => None,
+        };
+        let lines = certificate.nodes.iter().map(line).collect();
+        let window = certificate.window.clone().map(|span| span.map(|end| end.0));
+        let parts = parts(&plane, &window);
+        let checker = checker.into();
+        Ok(Map { plane, certificate, cells, checker, parts, lines, verdicts })
     }
 
     /// The order `n`.
@@ -271,11 +292,27 @@ impl Map {
         self.certificate.window.clone().map(|span| span.map(|end| end.0))
     }
 
-    /// What the map says at a point of the box.
+    /// What the map says at a point; nothing outside of the box.
+    ///
+    /// # Cost
+    /// One comparison for each cut on the way down to the piece.
     pub fn verdict_at(&self, parameters: &[Rational; 2]) -> MapVerdict {
         let point = self.plane.point(parameters);
-        let around = self.cells.iter().filter(|cell| cell.polygon.contains(&point));
-        let verdicts: Vec<CellVerdict> = around.map(|cell| cell.verdict).collect();
+        let roots = self.parts.iter().zip(&self.certificate.roots);
+        let mut open: Vec<usize> =
+            roots.filter(|(part, _)| part.contains(&point)).map(|(_, &root)| root).collect();
+        let mut verdicts = Vec::new();
+        while let Some(at) = open.pop() {
+            match (&self.certificate.nodes[at], &self.lines[at]) {
+                (Node::Cut { below, above, .. }, Some(line)) => {
+                    // A point on the line belongs to both parts.
+                    let side = line.compare(&point);
+                    open.extend(side.is_le().then_some(*below));
+                    open.extend(side.is_ge().then_some(*above));
+                }
+                _ => verdicts.extend(self.verdicts[at]),
+            }
+        }
         self.combined(&verdicts, &point)
     }
 

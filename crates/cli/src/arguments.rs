@@ -78,6 +78,32 @@ pub enum Command {
         #[command(flatten)]
         format: FormatArgument,
     },
+    /// A quantity at every point of a grid over two parameters, as CSV or JSON lines
+    Scan {
+        #[command(flatten)]
+        scheme: SchemeArguments,
+        /// The grid, with numbers of steps: 'alpha=0..1/8:200,beta=-1/10..0:200'
+        #[arg(long, value_name = "GRID", allow_hyphen_values = true)]
+        grid: String,
+        /// What to find at every point
+        #[arg(long, value_enum, default_value_t = What::Continuity)]
+        what: What,
+        /// The order n of the norm
+        #[arg(long, short = 'n', value_name = "N", default_value_t = 0)]
+        continuity: u16,
+        /// The level of the norm
+        #[arg(long, value_name = "L", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
+        level: u32,
+        /// One JSON object in each line
+        #[arg(long)]
+        json_lines: bool,
+        /// Where to write it; to standard output if left out
+        #[arg(long, short, value_name = "FILE")]
+        output: Option<PathBuf>,
+        /// Go on with a scan of the same command that was interrupted
+        #[arg(long, requires = "output")]
+        resume: bool,
+    },
     /// Write a certificate: of C^n over one parameter or at a value, or of the regularity
     Certify {
         #[command(flatten)]
@@ -207,6 +233,21 @@ pub struct DrawingArguments {
     /// Mark a point of the map, 'alpha=1/10,beta=-49/1152'; repeatable
     #[arg(long = "mark", value_name = "POINT", requires = "output")]
     pub marks: Vec<String>,
+}
+
+/// What a scan finds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum What {
+    /// The largest n for which C^n is proved, and whether the next is refuted
+    Continuity,
+    /// Bounds for the Hölder exponent
+    Holder,
+    /// The degree of polynomial generation
+    Generation,
+    /// The degree of polynomial reproduction
+    Reproduction,
+    /// The norm of a difference scheme
+    Norm,
 }
 
 /// How to print.

@@ -11,17 +11,18 @@ use refinable_analysis::{Budget, Fineness, Map, Options, Sharpness, continuity_a
 use refinable_certificate::{Certificate, MapCertificate, verify, verify_map};
 use refinable_papers::{Claims, Paper, Table};
 use refinable_report::{
-    Audit, CERTIFICATES, CertificateStore, Effort, Maps, Site, Sweep, degree_table, norm_table,
-    proof_text, range_table, regularity_table, report_site, sharp_range, sharp_range_table, show,
+    Audit, CERTIFICATES, CertificateStore, Effort, Maps, Quantity, Scan, Site, Sweep, degree_table,
+    norm_table, proof_text, range_table, regularity_table, report_site, sharp_range,
+    sharp_range_table, show,
 };
 use refinable_scheme::{Scheme, Substitution};
 
 use crate::arguments::{
     Arguments, AuditArguments, Command, Format, FormatArgument, MapArguments, ReportAction,
-    SchemeArguments,
+    SchemeArguments, What,
 };
 use crate::failure::Failure;
-use crate::{files, output};
+use crate::{files, output, scanning};
 
 /// Runs the command that was typed.
 ///
@@ -72,6 +73,21 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
                 files::write_file(path, &format!("{}\n", only_map(&maps)?.certificate.to_json()))?;
             }
             output::print(&maps.document(), format.format)?;
+        }
+        Command::Scan { scheme, grid, what, continuity, level, json_lines, output, resume } => {
+            let quantity = match what {
+                What::Continuity => Quantity::Continuity,
+                What::Holder => Quantity::Holder,
+                What::Generation => Quantity::Generation,
+                What::Reproduction => Quantity::Reproduction,
+                What::Norm => {
+                    Quantity::Norm { continuity: usize::from(*continuity), level: *level }
+                }
+            };
+            let (name, set) = (&scheme.scheme, scheme.set.join(" "));
+            let signature = format!("{name} {set} {grid} {quantity:?} {json_lines}\n");
+            let scan = Scan::new(&resolve(scheme)?, grid, quantity)?;
+            scanning::write(&scan, &signature, output.as_deref(), *json_lines, *resume)?;
         }
         Command::Certify { scheme, continuity, output } => {
             let certificate = certify(&resolve(scheme)?, *continuity)?;

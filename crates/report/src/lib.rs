@@ -6,6 +6,7 @@
 //! | `latex`, `number` | exact quantities as LaTeX and as JSON |
 //! | `show`, `degrees`, `range`, `sharp`, `regularity`, `norm` | one document for each analysis |
 //! | `map`, `map_picture` | [`Maps`]: orders of continuity over two parameters, as data and as SVG |
+//! | `scan` | [`Scan`]: a quantity at every point of a grid |
 //! | `picture` | claimed against proved ranges as SVG |
 //! | `audit` | [`Audit`]: the verdict on every cell of a paper's tables |
 //! | `site` | the files of a report directory |
@@ -24,6 +25,7 @@ mod number;
 mod picture;
 mod range;
 mod regularity;
+mod scan;
 mod sharp;
 mod show;
 mod site;
@@ -36,6 +38,7 @@ pub use map::Maps;
 pub use norm::norm_table;
 pub use range::range_table;
 pub use regularity::{outward, regularity_table};
+pub use scan::{Quantity, Scan};
 pub use sharp::{proof_text, sharp_range, sharp_range_table, statement};
 pub use show::show;
 pub use site::{CERTIFICATES, Site, report_site};

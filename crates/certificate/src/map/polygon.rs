@@ -1,5 +1,7 @@
 //! Convex polygons with rational corners, exactly.
 
+use std::cmp::Ordering;
+
 use refinable_algebra::{GcdDomain, Integer, Ordered, Rational, Ring, clear_denominators, integer};
 
 /// Integers `(X, Y, W)`, `W > 0`, that stand for the point `(X/W, Y/W)`.
@@ -15,6 +17,11 @@ impl Line {
         let (_, cleared) = clear_denominators([a, b, c].into_iter());
         let line: [Integer; 3] = cleared.try_into().expect("three numbers are three");
         (!line[0].is_zero() || !line[1].is_zero()).then_some(Line(line))
+    }
+
+    /// How `a x + b y` compares with `c` at a point.
+    pub fn compare(&self, point: &[Rational; 2]) -> Ordering {
+        self.side(&corner(point)).compare_to_zero()
     }
 
     /// `a X + b Y - c W`: the sign tells the side.
