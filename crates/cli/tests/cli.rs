@@ -66,6 +66,10 @@ fn the_fields_of_every_document() {
                 "exact",
             ],
         ),
+        (
+            vec!["map", "a3", "--continuity", "0", "--box", "alpha=0..1/4,beta=0..1/4"],
+            vec!["scheme", "parameters", "continuity", "box", "coordinates", "cells", "area"],
+        ),
         (vec!["tables", "--level", "1", "--table", "masks-a-odd"], vec!["tables"]),
     ] {
         let document = json(&arguments);
@@ -273,4 +277,41 @@ fn claims_about_a_mask_of_ones_own() {
     let cells = document["tables"][0]["cells"].as_array().expect("cells");
     let verdicts: Vec<_> = cells.iter().map(|cell| cell["agreement"].as_str().unwrap()).collect();
     assert_eq!(verdicts, ["agrees", "disagrees"]);
+}
+
+/// Cut off at any byte, a scan goes on to the same file; another scan does not continue it.
+#[test]
+fn an_interrupted_scan_goes_on() {
+    let dir = TempDir::new().unwrap();
+    let path = dir.path().join("scan.csv");
+    let file = path.to_str().unwrap();
+    let scan = |grid: &str, rest: &[&str]| {
+        let arguments = ["scan", "a3", "--grid", grid, "-o", file];
+        run(&[&arguments[..], rest].concat())
+    };
+    let grid = "alpha=0..1/4:12,beta=-1/8..1/8:9";
+    assert!(scan(grid, &[]).status.success());
+    let whole = fs::read(&path).unwrap();
+    assert_eq!(whole.iter().filter(|&&byte| byte == b'\n').count(), 1 + 13 * 10);
+    let part = dir.path().join("scan.csv.part");
+    let note = dir.path().join("scan.csv.scan");
+    assert!(!part.exists() && !note.exists());
+    // What a scan in progress leaves: the note of one that cannot publish its file.
+    fs::remove_file(&path).unwrap();
+    fs::create_dir(&path).unwrap();
+    assert!(!scan(grid, &[]).status.success());
+    let signature = fs::read(&note).unwrap();
+    assert_eq!(fs::read(&part).unwrap(), whole);
+    fs::remove_dir(&path).unwrap();
+    for length in [0, 5, 30, 31, 200, whole.len() - 1, whole.len()] {
+        fs::write(&part, &whole[..length]).unwrap();
+        fs::write(&note, &signature).unwrap();
+        // Not by accident, and not by another command.
+        assert_eq!(scan(grid, &[]).status.code(), Some(2));
+        assert_eq!(scan("alpha=0..1/4:12,beta=-1/8..1/8:8", &["--resume"]).status.code(), Some(2));
+        let found = scan(grid, &["--resume"]);
+        assert!(found.status.success(), "{length}: {found:?}");
+        assert_eq!(fs::read(&path).unwrap(), whole, "cut off at {length}");
+        assert!(!part.exists() && !note.exists());
+    }
 }
