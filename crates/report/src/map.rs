@@ -85,9 +85,16 @@ impl Maps {
         for map in &self.maps {
             let n = map.continuity();
             for (inequality, polynomial) in boundaries(map) {
+                let text = polynomial.to_string();
+                let boundary = if text.chars().count() <= LONGEST {
+                    format!("{text} = 0")
+                } else {
+                    let degree = polynomial.degree().unwrap_or(0);
+                    format!("a polynomial of degree {degree}, which the JSON has")
+                };
                 remarks.push(format!(
                     "C^{n} is refuted where the product along {} has an eigenvalue of modulus at least \
-                     one: boundary {polynomial} = 0",
+                     one: boundary {boundary}",
                     inequality.word
                 ));
             }
@@ -202,6 +209,9 @@ fn coordinates(map: &Map) -> [String; 2] {
     );
     [format!("x = {u}"), format!("y = {y}")]
 }
+
+/// Longer polynomials are not printed in full.
+const LONGEST: usize = 160;
 
 /// The word for a verdict.
 fn verdict(verdict: CellVerdict) -> &'static str {
