@@ -8,8 +8,9 @@ use std::fmt::Write;
 use refinable_algebra::{
     ParameterFraction, ParameterPolynomial, Rational, Ring, decimal, integer, rational,
 };
-use refinable_analysis::{Map, Window};
-use refinable_certificate::CellVerdict;
+use refinable_analysis::{Map, Window, region_of};
+use refinable_certificate::{CellVerdict, Conclusion};
+use refinable_reals::Bound;
 use refinable_scheme::Diagnostic;
 
 use crate::map::{Maps, parse_curve, parse_point};
@@ -18,13 +19,14 @@ const LEFT: f64 = 84.0;
 const TOP: f64 = 44.0;
 const WIDTH: f64 = 640.0;
 const HEIGHT: f64 = 460.0;
-const LEGEND: f64 = 150.0;
+const LEGEND: f64 = 172.0;
 const FOOTER: f64 = 64.0;
 /// Ticks along an axis, about.
 const TICKS: i64 = 6;
 /// Straight pieces of an edge that is drawn as a curve, and of a curve.
 const EDGE: i64 = 6;
 const CURVE: i64 = 400;
+const LINE: i64 = 60;
 /// Shades from light to dark.
 const SHADES: [&str; 8] =
     ["#dbe9f6", "#bad6eb", "#89bedc", "#539ecd", "#2b7bba", "#0b559f", "#083a73", "#05264d"];
@@ -54,6 +56,15 @@ impl Maps {
         }
         for map in &self.maps {
             draw(&mut svg, map, &frame, CellVerdict::Undecided, "url(#undecided)");
+        }
+        for map in &self.maps {
+            let path = sections(map, &frame);
+            let shade = self.shade(map);
+            let _ = writeln!(
+                svg,
+                "<path d=\"{path}\" fill=\"none\" stroke=\"#ffffff\" stroke-width=\"5\"/>\
+                 <path d=\"{path}\" fill=\"none\" stroke=\"{shade}\" stroke-width=\"3\"/>"
+            );
         }
         for (k, curve) in curves.iter().enumerate() {
             let path = self.curve(&frame, curve)?;
@@ -148,7 +159,8 @@ impl Maps {
             }
         };
         for map in &self.maps {
-            let text = format!("{} proved", order(map.continuity()));
+            let on = if map.certificate.sections.is_empty() { "" } else { ", on a line" };
+            let text = format!("{} proved{on}", order(map.continuity()));
             row(svg, &block(self.shade(map).into()), &text);
         }
         row(svg, &block("url(#undecided)".into()), "undecided");
@@ -313,6 +325,31 @@ fn draw(svg: &mut String, map: &Map, frame: &Frame, verdict: CellVerdict, fill: 
         "<path d=\"{path}\" fill=\"{fill}\" stroke=\"{stroke}\" stroke-width=\"0.4\" \
          stroke-linejoin=\"round\"/>"
     );
+}
+
+/// The lines, or points, on which a map proves an order that holds nowhere else, as a path.
+fn sections(map: &Map, frame: &Frame) -> String {
+    let mut path = String::new();
+    for section in &map.certificate.sections {
+        let Conclusion::Continuity { proved, .. } = &section.certificate.conclusion else {
+            continue;
+        };
+        let at = |t: &Rational| [0, 1].map(|i| &section.origin[i].0 + &section.direction[i].0 * t);
+        for interval in region_of(proved).intervals() {
+            let end = |bound: &Bound| bound.number().map(|x| x.enclosure(&rational(1, 1 << 30)).0);
+            let (Some(low), Some(high)) = (end(&interval.lower), end(&interval.upper)) else {
+                continue;
+            };
+            for k in 0..=LINE {
+                let t = &low + (&high - &low) * rational(k, LINE);
+                // An edge from the point to itself would have no place in the picture.
+                for (x, y) in corners(map, frame, &[at(&t)]).into_iter().take(1) {
+                    let _ = write!(path, "{}{x:.2} {y:.2}", if k == 0 { "M" } else { "L" });
+                }
+            }
+        }
+    }
+    path
 }
 
 /// A polygon of the plane of `(x, y)` in picture coordinates, edges that are curves there in pieces.
