@@ -251,6 +251,8 @@ fn changed_maps_do_not_hold() {
             }
         });
     }
+    let far = Rational::from_i64(2).power(600);
+    fails(&|m| m.window[1][1] = Number(far.clone()));
     let words = places(|n| matches!(n, Node::Word(_)));
     let polytopes = places(|n| matches!(n, Node::Polytope(_)));
     assert!(words.len() > 5 && polytopes.len() > 5);

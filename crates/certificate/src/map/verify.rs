@@ -21,7 +21,7 @@ use crate::map::stability::is_generic;
 use crate::model::{Conclusion, VERSION};
 use crate::number::Number;
 use crate::verify::verify;
-use crate::work::{Check, Reason, Work, ensure, fail};
+use crate::work::{Check, Reason, Work, ensure, fail, rational_bits};
 
 /// What is proved on a piece of a map.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
@@ -197,10 +197,18 @@ fn check_certificate(section: &Section, continuity: usize) -> Check<Scheme> {
 }
 
 const MOST_NODES: usize = 200_000;
+const MOST_INEQUALITIES: usize = 500;
+const MOST_BITS: u64 = 512;
+
+fn is_short(x: &Number) -> bool {
+    rational_bits(&x.0) <= MOST_BITS
+}
 
 /// The pieces that are not cut further, with their nodes, in the order of the nodes. Every node is
 /// reached once, from one before it or from the box.
 fn pieces(map: &MapCertificate) -> Check<Vec<(usize, Polygon)>> {
+    let short = map.window.iter().flatten().all(is_short);
+    ensure(short, "a box with numbers of more than 512 bits")?;
     let parts = parts(&map.family, &map.window)?;
     ensure(parts.len() == map.roots.len(), "not one root for each part of the box")?;
     ensure(map.nodes.len() <= MOST_NODES, "more than 200000 nodes")?;
@@ -224,6 +232,7 @@ fn pieces(map: &MapCertificate) -> Check<Vec<(usize, Polygon)>> {
             leaves.push((index, polygon));
             continue;
         };
+        ensure([a, b, c].into_iter().all(is_short), "a cut by numbers of more than 512 bits")?;
         let Some(line) = Line::new(&a.0, &b.0, &c.0) else { return fail("a cut that is no line") };
         for (child, part) in [below, above].into_iter().zip(polygon.cut(&line)) {
             let Some(part) = part else { return fail("a cut that misses its piece") };
@@ -260,6 +269,8 @@ impl<'a> Reasons<'a> {
             if let Node::Word(inequality) = node
                 && !inequalities.contains_key(inequality)
             {
+                ensure(inequalities.len() < MOST_INEQUALITIES, "more than 500 inequalities")
+                    .map_err(invalid(Part::Node(index)))?;
                 let (scheme, n) = (&checker.scheme, checker.continuity);
                 let form = polynomial(scheme, n, inequality)
                     .and_then(|form| Ok((form, shows_divergence(scheme, n, inequality)?)));
