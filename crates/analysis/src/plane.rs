@@ -158,8 +158,7 @@ impl Plane {
         let letters = |part| letters(part, self.arity, order, extent, &scale);
         let terms: Vec<(u32, u32, Vec<Matrix<Rational>>)> =
             parts.iter().map(|((i, j), part)| (*i, *j, letters(part))).collect();
-        let mirrored = terms.iter().all(|(_, _, set)| is_mirrored(set));
-        PlanePencil::new(&terms, mirrored)
+        PlanePencil::new(&terms)
     }
 
     /// The polynomials in `x` and `y` that vanish where `σ^order` divides the symbol.
@@ -209,14 +208,6 @@ impl Plane {
     pub fn arity(&self) -> usize {
         self.arity
     }
-}
-
-fn is_mirrored(set: &[Matrix<Rational>]) -> bool {
-    let mirror = |m: &Matrix<Rational>| {
-        let d = m.shape().0;
-        Matrix::from_fn(d, d, |i, j| m.entry(d - 1 - i, d - 1 - j).clone())
-    };
-    set.iter().zip(set.iter().rev()).all(|(a, b)| mirror(a) == *b)
 }
 
 /// The coefficients of each `u^i v^j`.

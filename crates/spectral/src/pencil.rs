@@ -77,7 +77,9 @@ impl Pencil {
     }
 }
 
-fn is_mirrored(matrices: &[Matrix<Rational>]) -> bool {
+/// Whether reversing coordinates exchanges the first matrix and the last, the second and the last but
+/// one, and so on.
+pub(crate) fn is_mirrored(matrices: &[Matrix<Rational>]) -> bool {
     let d = matrices[0].shape().0;
     let mirror =
         |m: &Matrix<Rational>| Matrix::from_fn(d, d, |i, j| m.entry(d - 1 - i, d - 1 - j).clone());

@@ -5,6 +5,7 @@ use refinable_algebra::{Matrix, Rational};
 
 use crate::float::approximate;
 use crate::geometry::Place;
+use crate::pencil::is_mirrored;
 
 /// The matrices `B_ε(x, y) = Σ x^i y^j B_ε^{ij}`, all of one size.
 #[derive(Clone, Debug)]
@@ -16,13 +17,13 @@ pub struct PlanePencil {
 }
 
 impl PlanePencil {
-    /// The set with the given coefficients `(i, j, B^{ij})`; `mirrored` says that `B_{m-1-ε} = J B_ε J`
-    /// for the reversal `J` of coordinates.
+    /// The set with the given coefficients `(i, j, B^{ij})`.
     ///
     /// # Panics
     /// If there are no matrices.
-    pub fn new(terms: &[(u32, u32, Vec<Matrix<Rational>>)], mirrored: bool) -> Self {
+    pub fn new(terms: &[(u32, u32, Vec<Matrix<Rational>>)]) -> Self {
         assert!(terms.iter().any(|(_, _, set)| !set.is_empty()), "a set of matrices is not empty");
+        let mirrored = terms.iter().all(|(_, _, set)| is_mirrored(set));
         let rounded = |matrix: &Matrix<Rational>| {
             let (rows, columns) = matrix.shape();
             DMatrix::from_fn(rows, columns, |i, j| approximate(matrix.entry(i, j)))
@@ -40,7 +41,7 @@ impl PlanePencil {
         self.terms[0].2.len()
     }
 
-    /// Whether `B_{m-1-ε} = J B_ε J`.
+    /// Whether `B_{m-1-ε} = J B_ε J` for the reversal `J` of coordinates.
     pub(crate) fn is_mirrored(&self) -> bool {
         self.mirrored
     }
