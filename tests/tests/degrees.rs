@@ -18,6 +18,10 @@ type Values = BTreeMap<Parameter, Rational>;
 
 /// The mask at a point; `None` at a pole.
 fn at(mask: &Mask, point: &Values) -> Option<Vec<Rational>> {
+    // Set one after the other, parameters may hide a pole: `u/(u + v)` at 0 is 0 for `u` first.
+    if value(mask.denominator(), point).is_zero() {
+        return None;
+    }
     let coefficient = |c: ParameterFraction| {
         let value = point.iter().try_fold(c, |c, (name, x)| {
             c.substitute(name, &ParameterPolynomial::constant(x.clone()).into()).ok()
@@ -233,6 +237,17 @@ proptest! {
             prop_assert_eq!(stratum.reproduction.0, reproduction.min(generation));
         }
     }
+}
+
+/// `0/0` at `u = 0`, `v = 2`: setting `u` first would make it a scheme.
+#[test]
+fn a_pole_that_one_order_of_setting_hides_is_a_pole() {
+    let text = "[-u/(u-v+2), 1, (2*u-v+2)/(u-v+2)]";
+    let scheme = Scheme::resolve(text, 2).unwrap();
+    let parameters = scheme.mask().parameters();
+    let point: Values = parameters.into_iter().zip([0, 2].map(|x| rational(x, 1))).collect();
+    assert_eq!(at(scheme.mask(), &point), None);
+    check_family(scheme.mask(), &[rational(0, 1), rational(0, 1)]).unwrap();
 }
 
 /// `α = v/4u` in the three-point family: at `u = v = 0` the numerators of all conditions vanish, and
