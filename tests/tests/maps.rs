@@ -147,6 +147,12 @@ fn beyond_the_order_only_a_line_is_left() {
         panic!("about continuity")
     };
     assert_eq!(refinable_analysis::region_of(proved).display("t"), "(1/8, 3/8)");
+    let mut changed = map.certificate.clone();
+    changed.sections[0].certificate.family.lowest = i64::MAX;
+    assert!(verify_map(&changed).is_err());
+    changed.sections[0].certificate.family.lowest = section.certificate.family.lowest;
+    changed.sections[0].origin[0] = Number(rational(1, 7));
+    assert!(verify_map(&changed).is_err());
     // β = (8α - 1)/(16 (1 - α)) is 1/26 at α = 3/16, and -3/62 at α = 1/32.
     for (point, expected) in [
         ([(3, 16), (1, 26)], MapVerdict::Proved),
@@ -253,6 +259,27 @@ fn changed_maps_do_not_hold() {
     }
     let far = Rational::from_i64(2).power(600);
     fails(&|m| m.window[1][1] = Number(far.clone()));
+    // Bounded effort, and no panic, whatever is asked for.
+    fails(&|m| m.continuity = usize::MAX);
+    let mut absurd = map.clone();
+    absurd.continuity = usize::MAX;
+    absurd.nodes = vec![Node::Indivisible];
+    assert!(verify_map(&absurd).is_ok(), "nothing with stable shifts is so smooth");
+    fails(&|m| {
+        let denominators = (1..1000).map(|k| Rational::from_i64(2).power(k) + rational(1, 1));
+        let terms = denominators.map(|d| (Number(d.recip()), 0, 0)).collect::<Vec<_>>();
+        m.family.mask[0].extend(terms.into_iter().take(90));
+        m.family.mask[1] = m.family.mask[0].clone();
+    });
+    for word in ["", "2", "0000000000000", "001011010111"] {
+        fails(&|m| {
+            let Some(Node::Word(w)) = m.nodes.iter_mut().find(|n| matches!(n, Node::Word(_)))
+            else {
+                panic!("a word")
+            };
+            w.word = word.into();
+        });
+    }
     let words = places(|n| matches!(n, Node::Word(_)));
     let polytopes = places(|n| matches!(n, Node::Polytope(_)));
     assert!(words.len() > 5 && polytopes.len() > 5);

@@ -79,7 +79,8 @@ fn check_polynomial(polynomial: &Coefficients) -> Fits {
     denominators(polynomial.iter())
 }
 
-fn denominators<'a>(numbers: impl Iterator<Item = &'a Number>) -> Fits {
+/// The denominators of one mask or polynomial together are short.
+pub(crate) fn denominators<'a>(numbers: impl Iterator<Item = &'a Number>) -> Fits {
     let total: u64 = numbers.map(|n| bit_length(n.0.denom()) - 1).sum();
     if total <= DENOMINATOR_BITS { Ok(()) } else { Err("denominators of more than 4000 digits") }
 }

@@ -1,13 +1,16 @@
 //! The symbol of a family of two parameters, its difference symbol, its matrices on a piece.
 
-use refinable_algebra::{Integer, Polynomial, Rational, Ring, clear_denominators, integer};
+use refinable_algebra::{
+    Integer, Polynomial, Rational, Ring, binomial, clear_denominators, integer,
+};
 
 use crate::family::{Scheme, dimension, divide_by_geometric, matrices};
+use crate::limits;
 use crate::map::form::{Form, Places, cleared, degree, multisets};
 use crate::map::model::{Chart, PlaneFamily, Terms};
 use crate::map::polygon::Polygon;
 use crate::number::Number;
-use crate::work::{Check, Work, ensure, fail};
+use crate::work::{Check, Work, ensure, fail, largest_bits};
 
 /// A family, checked to be normalised and divisible.
 #[derive(Debug)]
@@ -36,7 +39,7 @@ impl PlaneScheme {
         ensure(u != v, "the parameters have the same name")?;
         let length = family.mask.len();
         ensure(length >= m && length <= COEFFICIENTS, "a mask that is too short or too long")?;
-        family.mask.iter().try_for_each(check_terms)?;
+        check_mask(&family.mask)?;
         let (denominator, symbol) = cleared(&family.mask);
         for j in 0..m {
             let stencil = symbol.iter().skip(j).step_by(m);
@@ -94,14 +97,25 @@ impl PlaneScheme {
 
     /// The values of forms at all control points of a piece, each with its denominator: the polar
     /// forms at the multisets of its corners. On the piece a form is a mean of them.
-    pub fn controls(&self, forms: &[Form], polygon: &Polygon) -> Vec<(Vec<Integer>, Integer)> {
+    pub fn controls(
+        &self,
+        forms: &[Form],
+        polygon: &Polygon,
+        work: &mut Work,
+    ) -> Check<Vec<(Vec<Integer>, Integer)>> {
         let corners = polygon.corners();
+        let (r, n) = (corners.len() as u32, self.degree as u32);
+        let count = i64::try_from(&binomial(r + n - n.min(1), n)).unwrap_or(i64::MAX);
+        ensure(count <= CONTROLS, "more than 2000 control points")?;
+        let bits = largest_bits(corners.iter().flatten()) * u64::from(n) + 64;
+        let terms = (self.degree + 1) * (self.degree + 2) * (forms.len() + self.degree);
+        work.products(count as usize * terms, bits, bits)?;
         let at = |set: Vec<usize>| {
             let places = Places::new(&set.iter().map(|&i| &corners[i]).collect::<Vec<_>>());
             let values = forms.iter().map(|form| places.value(form)).collect();
             (values, places.denominator * &self.denominator)
         };
-        multisets(corners.len(), self.degree).into_iter().map(at).collect()
+        Ok(multisets(corners.len(), self.degree).into_iter().map(at).collect())
     }
 
     /// The numerators of `m^n a / σ^(n+1)`.
@@ -149,7 +163,13 @@ const MOST_LETTERS: usize = 10;
 const COEFFICIENTS: usize = 200;
 const DIMENSION: usize = 24;
 const TERMS: usize = 100;
+const CONTROLS: i64 = 2000;
 const DEGREE: u32 = 6;
+
+fn check_mask(mask: &[Terms]) -> Check<()> {
+    mask.iter().try_for_each(check_terms)?;
+    limits::denominators(mask.iter().flatten().map(|(c, ..)| c)).or_else(fail)
+}
 
 fn check_terms(terms: &Terms) -> Check<()> {
     ensure(terms.len() <= TERMS, "a polynomial of more than 100 terms")?;
@@ -175,7 +195,8 @@ fn divided(symbol: &[Form], m: usize, times: usize) -> Option<Vec<Form>> {
 /// Checks that the masks in the parameters are those at `x = u`, `y = v l(u)`.
 fn check_chart(mask: &[Terms], chart: &Chart) -> Check<()> {
     ensure(chart.mask.len() == mask.len(), "the masks have different lengths")?;
-    chart.mask.iter().try_for_each(check_terms)?;
+    check_mask(&chart.mask)?;
+    limits::denominators(chart.factor.iter()).or_else(fail)?;
     let factor = Polynomial::new(chart.factor.iter().map(|c| c.0.clone()).collect());
     ensure(factor.degree() == Some(1), "the factor of the chart is not affine")?;
     for (in_plane, in_parameters) in mask.iter().zip(&chart.mask) {
@@ -254,6 +275,6 @@ pub(crate) fn check_section(
 }
 
 /// The coefficients of a mask with their exponents, zeros left out.
-fn without_zeros(mask: Vec<Rational>, lowest: i64) -> Vec<(i64, Rational)> {
-    (lowest..).zip(mask).filter(|(_, c)| !c.is_zero()).collect()
+fn without_zeros(mask: Vec<Rational>, lowest: i64) -> Vec<(i128, Rational)> {
+    (i128::from(lowest)..).zip(mask).filter(|(_, c)| !c.is_zero()).collect()
 }

@@ -5,7 +5,7 @@ use refinable_algebra::{Integer, Matrix, Polynomial, Ring, integer};
 use crate::map::family::PlaneScheme;
 use crate::map::form::{Form, degree};
 use crate::map::model::{Eigenvalue, Inequality};
-use crate::work::{Check, ensure, fail};
+use crate::work::{Check, Work, ensure, fail, largest_bits};
 
 /// Square matrices of polynomials over a denominator; together they have the eigenvalues of the product
 /// along a word, or of a square root of it.
@@ -22,7 +22,12 @@ const DEGREE: usize = 16;
 
 impl Blocks {
     /// The blocks of the matrices `B_ε` along a word, the bound included.
-    pub fn new(scheme: &PlaneScheme, continuity: usize, word: &str) -> Check<Self> {
+    pub fn new(
+        scheme: &PlaneScheme,
+        continuity: usize,
+        word: &str,
+        work: &mut Work,
+    ) -> Check<Self> {
         let digit = |c: char| c.to_digit(10).map(|d| d as usize).filter(|&d| d < scheme.arity);
         let letters: Option<Vec<usize>> = word.chars().map(digit).collect();
         let Some(letters) = letters.filter(|l| (1..=LONGEST).contains(&l.len())) else {
@@ -30,6 +35,11 @@ impl Blocks {
         };
         let d = scheme.dimension();
         let matrices = scheme.letters();
+        let bits = matrices.iter().flatten().map(bits).max().unwrap_or(0);
+        for step in 1..=letters.len() {
+            let products = d.pow(3) * terms(scheme.degree) * terms(step * scheme.degree);
+            work.products(products, bits, step as u64 * bits)?;
+        }
         let matrix = |e: usize| Matrix::from_fn(d, d, |i, j| matrices[e][i * d + j].clone());
         let along = |letters: &[usize]| {
             letters.iter().fold(Matrix::identity(d), |product, &e| matrix(e).times(&product))
@@ -55,7 +65,13 @@ impl Blocks {
 
     /// A polynomial that is positive wherever all eigenvalues of a block are less than the radius in
     /// modulus: `det(r I - B)`, `det(r I + B)` or `Π_{i<j} (r² - λ_i λ_j)`, up to a positive factor.
-    pub fn polynomial(&self, block: usize, eigenvalue: Eigenvalue, radius: u64) -> Check<Form> {
+    pub fn polynomial(
+        &self,
+        block: usize,
+        eigenvalue: Eigenvalue,
+        radius: u64,
+        work: &mut Work,
+    ) -> Check<Form> {
         let Some(matrix) = self.matrices.get(block) else { return fail("there is no such block") };
         ensure(radius >= 1, "a radius below one")?;
         let size = matrix.shape().0;
@@ -65,6 +81,12 @@ impl Blocks {
         let weight = if pairs { size * (size - 1) } else { size };
         let small = weight * largest.unwrap_or(0) <= DEGREE;
         ensure(small, "an inequality of degree above 16")?;
+        let bits = (0..size * size).map(|k| bits(matrix.entry(k / size, k % size))).max();
+        let bits = bits.unwrap_or(0) + self.denominator.bits();
+        let whole = terms(weight * largest.unwrap_or(0));
+        let steps = size.pow(4) * terms(largest.unwrap_or(0)) * whole;
+        let minors = if pairs { size.pow(3) * whole * whole } else { 0 };
+        work.products(steps + minors, bits * size as u64, bits * size as u64)?;
         let scale = integer(radius.try_into().unwrap_or(i64::MAX)) * &self.denominator;
         // det(λ - M) at λ = scale μ, in powers of μ.
         let characteristic = matrix.characteristic_polynomial();
@@ -88,26 +110,29 @@ impl Blocks {
     }
 }
 
-/// What an inequality says, as a polynomial.
+/// What an inequality says, as a polynomial; and whether an eigenvalue so large means that the scheme
+/// diverges, whatever the shifts: the joint spectral radius is at least `m^(k-1)` then.
 pub(crate) fn polynomial(
     scheme: &PlaneScheme,
     continuity: usize,
     inequality: &Inequality,
-) -> Check<Form> {
-    let blocks = Blocks::new(scheme, continuity, &inequality.word)?;
-    blocks.polynomial(inequality.block, inequality.eigenvalue, inequality.radius)
+) -> Check<(Form, bool)> {
+    let work = &mut Work::new();
+    let blocks = Blocks::new(scheme, continuity, &inequality.word, work)?;
+    let Inequality { block, eigenvalue, radius, .. } = *inequality;
+    let form = blocks.polynomial(block, eigenvalue, radius, work)?;
+    let needed = integer(scheme.arity as i64).power((continuity * blocks.length) as u32);
+    Ok((form, Integer::from(radius) >= needed))
 }
 
-/// Whether an eigenvalue so large means that the scheme diverges, whatever the shifts: the joint
-/// spectral radius is at least `m^(k-1)` then.
-pub(crate) fn shows_divergence(
-    scheme: &PlaneScheme,
-    continuity: usize,
-    inequality: &Inequality,
-) -> Check<bool> {
-    let length = Blocks::new(scheme, continuity, &inequality.word)?.length;
-    let needed = integer(scheme.arity as i64).power((continuity * length) as u32);
-    Ok(Integer::from(inequality.radius) >= needed)
+/// The number of terms of a polynomial of this degree in two variables.
+fn terms(degree: usize) -> usize {
+    (degree + 1) * (degree + 2) / 2
+}
+
+/// The size of the coefficients.
+fn bits(form: &Form) -> u64 {
+    largest_bits(form.coefficients().iter().flat_map(Polynomial::coefficients))
 }
 
 /// Matrices that have the eigenvalues of the matrix together: diagonal entries beside which a first or
@@ -207,7 +232,7 @@ mod tests {
         let matrix = Matrix::from_fn(3, 3, |i, j| constant(entries[i][j]));
         let blocks = Blocks { matrices: vec![matrix], denominator: integer(2), length: 1 };
         let value = |eigenvalue, radius| {
-            let form = blocks.polynomial(0, eigenvalue, radius).unwrap();
+            let form = blocks.polynomial(0, eigenvalue, radius, &mut Work::new()).unwrap();
             form.coefficient(0).coefficient(0)
         };
         for r in 1..4_i64 {
@@ -220,7 +245,8 @@ mod tests {
             // The leading coefficient s³ squared, against s² for each of three pairs.
             assert_eq!(value(Eigenvalue::Pair, r as u64), integer(pair));
         }
-        assert!(blocks.polynomial(1, Eigenvalue::Positive, 1).is_err());
-        assert!(blocks.polynomial(0, Eigenvalue::Positive, 0).is_err());
+        let work = &mut Work::new();
+        assert!(blocks.polynomial(1, Eigenvalue::Positive, 1, work).is_err());
+        assert!(blocks.polynomial(0, Eigenvalue::Positive, 0, work).is_err());
     }
 }

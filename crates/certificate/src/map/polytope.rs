@@ -32,7 +32,8 @@ impl Control {
             let Some(entry) = entry else { return Ok(0) };
             // Division truncates: less than one place off, like rounding down.
             let fixed = i128::try_from(&((*entry << PLACES) / denominator)).unwrap_or(i128::MAX);
-            ensure(fixed.abs() < 1 << (PLACES + LARGEST_ENTRY), "an entry above 4000")?;
+            let small = fixed.unsigned_abs() < 1 << (PLACES + LARGEST_ENTRY);
+            ensure(small, "an entry above 4000")?;
             Ok(fixed)
         };
         let round_all = |matrix: &Vec<Option<&Integer>>| matrix.iter().map(round).collect();

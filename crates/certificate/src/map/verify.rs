@@ -1,16 +1,15 @@
 //! All nodes of a map, and what is proved where.
 
 use std::collections::BTreeMap;
-use std::sync::Arc;
 
 use rayon::prelude::*;
-use refinable_algebra::{Integer, Rational};
+use refinable_algebra::{Integer, Ordered, Rational};
 
 use crate::error::{Invalid, Part};
 use crate::family::{Scheme, places};
 use crate::map::family::{PlaneScheme, check_section, parts};
 use crate::map::form::{Form, is_nowhere_positive};
-use crate::map::inequality::{Blocks, polynomial, shows_divergence};
+use crate::map::inequality::{Blocks, polynomial};
 use crate::map::model::{
     CellPolytope, Eigenvalue, Inequality, MAP_FORMAT, MapCertificate, Node, PlaneFamily, Section,
     Terms,
@@ -75,15 +74,16 @@ impl MapChecker {
 
     /// Whether `‖c_n‖ < 1` on the closed polygon.
     pub fn has_small_norm(&self, polygon: &Polygon) -> bool {
-        let Some(lower) = &self.lower else { return false };
+        let controls =
+            |lower: &Vec<Form>| self.scheme.controls(lower, polygon, &mut Work::new()).ok();
         let m = self.scheme.arity;
-        self.scheme.controls(lower, polygon).into_iter().all(|(values, denominator)| {
+        let small = |(values, denominator): &(Vec<Integer>, Integer)| {
             (0..m).all(|j| {
-                let row =
-                    values.iter().skip(j).step_by(m).map(refinable_algebra::Ordered::absolute);
-                row.sum::<Integer>() < denominator
+                let row = values.iter().skip(j).step_by(m).map(Ordered::absolute);
+                row.sum::<Integer>() < *denominator
             })
-        })
+        };
+        self.lower.as_ref().and_then(controls).is_some_and(|all| all.iter().all(small))
     }
 
     /// Whether the polytope proves C^n on the closed polygon.
@@ -94,7 +94,8 @@ impl MapChecker {
     /// All inequalities for the blocks of a word with some radii, as polynomials in `x` and `y` that are
     /// not positive only where the radius is reached. Those of too high a degree are left out.
     pub fn inequalities(&self, word: &str, radii: &[u64]) -> Vec<(Inequality, Terms)> {
-        let Ok(blocks) = Blocks::new(&self.scheme, self.continuity, word) else {
+        let work = &mut Work::new();
+        let Ok(blocks) = Blocks::new(&self.scheme, self.continuity, word, work) else {
             return Vec::new();
         };
         let kinds = [Eigenvalue::Positive, Eigenvalue::Negative, Eigenvalue::Pair];
@@ -102,7 +103,7 @@ impl MapChecker {
             (0..blocks.count()).flat_map(move |block| kinds.map(|kind| (radius, block, kind)))
         });
         all.filter_map(|(radius, block, eigenvalue)| {
-            let form = blocks.polynomial(block, eigenvalue, radius).ok()?;
+            let form = blocks.polynomial(block, eigenvalue, radius, &mut Work::new()).ok()?;
             let inequality = Inequality { word: word.into(), block, eigenvalue, radius };
             Some((inequality, terms(&form)))
         })
@@ -112,7 +113,8 @@ impl MapChecker {
     /// Whether the inequality holds on the closed polygon.
     pub fn refutes(&self, polygon: &Polygon, inequality: &Inequality) -> bool {
         let form = polynomial(&self.scheme, self.continuity, inequality);
-        form.and_then(|form| is_nowhere_positive(&form, polygon, &mut Work::new())).unwrap_or(false)
+        form.and_then(|(form, _)| is_nowhere_positive(&form, polygon, &mut Work::new()))
+            .unwrap_or(false)
     }
 
     /// Whether the shifts are stable at a point of the plane for a reason that holds almost everywhere.
@@ -129,7 +131,7 @@ impl MapChecker {
         let bound = self.scheme.bound(self.continuity)?;
         ensure(!polytope.mirrored || self.mirrored, "the difference symbol is not symmetric")?;
         let places = places(self.scheme.difference.len(), self.scheme.arity);
-        let controls = self.scheme.controls(&self.scheme.difference, polygon);
+        let controls = self.scheme.controls(&self.scheme.difference, polygon, work)?;
         let control = |(values, denominator): (Vec<Integer>, Integer)| {
             let matrix = |places: &Vec<Option<usize>>| {
                 places.iter().map(|place| place.map(|i| &values[i])).collect()
@@ -173,6 +175,8 @@ pub fn verify_map(map: &MapCertificate) -> Result<Vec<Cell>, Invalid> {
     };
     let cells: Vec<Result<Cell, Invalid>> = pieces.into_par_iter().map(check).collect();
     let cells = cells.into_iter().collect::<Result<_, _>>()?;
+    ensure(map.sections.len() <= MOST_SECTIONS, "more than 50 sections")
+        .map_err(invalid(Part::Section(MOST_SECTIONS)))?;
     for (index, section) in map.sections.iter().enumerate() {
         let checked = check_certificate(section, map.continuity);
         let scheme = checked.map_err(invalid(Part::Section(index)))?;
@@ -198,6 +202,8 @@ fn check_certificate(section: &Section, continuity: usize) -> Check<Scheme> {
 
 const MOST_NODES: usize = 200_000;
 const MOST_INEQUALITIES: usize = 500;
+const MOST_CORNERS: usize = 50;
+const MOST_SECTIONS: usize = 50;
 const MOST_BITS: u64 = 512;
 
 fn is_short(x: &Number) -> bool {
@@ -236,6 +242,7 @@ fn pieces(map: &MapCertificate) -> Check<Vec<(usize, Polygon)>> {
         let Some(line) = Line::new(&a.0, &b.0, &c.0) else { return fail("a cut that is no line") };
         for (child, part) in [below, above].into_iter().zip(polygon.cut(&line)) {
             let Some(part) = part else { return fail("a cut that misses its piece") };
+            ensure(part.corners().len() <= MOST_CORNERS, "a piece with more than 50 corners")?;
             place(*child, Some(index), part, &mut polygons)?;
         }
     }
@@ -248,7 +255,7 @@ struct Reasons<'a> {
     /// Whether the shifts are stable almost everywhere.
     stable: bool,
     /// The polynomial of each inequality that occurs, and whether it shows divergence.
-    inequalities: BTreeMap<&'a Inequality, Arc<(Form, bool)>>,
+    inequalities: BTreeMap<&'a Inequality, (Form, bool)>,
 }
 
 impl<'a> Reasons<'a> {
@@ -271,11 +278,8 @@ impl<'a> Reasons<'a> {
             {
                 ensure(inequalities.len() < MOST_INEQUALITIES, "more than 500 inequalities")
                     .map_err(invalid(Part::Node(index)))?;
-                let (scheme, n) = (&checker.scheme, checker.continuity);
-                let form = polynomial(scheme, n, inequality)
-                    .and_then(|form| Ok((form, shows_divergence(scheme, n, inequality)?)));
-                inequalities
-                    .insert(inequality, Arc::new(form.map_err(invalid(Part::Node(index)))?));
+                let form = polynomial(&checker.scheme, checker.continuity, inequality);
+                inequalities.insert(inequality, form.map_err(invalid(Part::Node(index)))?);
             }
         }
         Ok(Reasons { checker, stable, inequalities })
@@ -293,13 +297,14 @@ impl<'a> Reasons<'a> {
                 Ok(CellVerdict::Proved)
             }
             Node::Word(inequality) => {
-                let (form, diverges) = &*self.inequalities[inequality];
+                let (form, diverges) = &self.inequalities[inequality];
                 let holds = is_nowhere_positive(form, polygon, work)?;
                 ensure(holds, "the inequality is not shown to hold")?;
                 self.refuted(!diverges)
             }
             Node::Indivisible => {
-                let divisible = self.checker.scheme.is_divisible(self.checker.continuity + 1);
+                let order = self.checker.continuity.saturating_add(1);
+                let divisible = self.checker.scheme.is_divisible(order);
                 ensure(!divisible, "the power of σ divides the symbol")?;
                 self.refuted(true)
             }
