@@ -5,7 +5,7 @@ use std::sync::{Arc, LazyLock};
 use refinable_algebra::{Parameter, Polynomial, Rational, Ring, rational};
 use refinable_certificate::{
     Cell, CellVerdict, Conclusion, Inequality, Line, MAP_FORMAT, MapCertificate, MapChecker, Node,
-    Number, Polygon, Section, Terms, VERSION, verify_map,
+    Number, Polygon, Section, Terms, VERSION, parts_of_box, verify_map,
 };
 use refinable_reals::{RealAlgebraic, logarithm};
 use refinable_scheme::{Diagnostic, Normalised};
@@ -116,7 +116,8 @@ pub fn map(
     let family = plane.family(order);
     let checker = MapChecker::new(&family, continuity).map_err(invalid)?;
     let stable_at = generic_point(&plane, window, &checker).map(|p| p.map(Number));
-    let parts = parts(&plane, window);
+    let numbers = window.clone().map(|span| span.map(Number));
+    let parts = parts_of_box(&family, &numbers).map_err(invalid)?;
     let (roots, mut nodes, sections);
     if continuity < order {
         let pencil = plane.pencil(order, &bound(&plane, order, continuity));
@@ -137,7 +138,7 @@ pub fn map(
         version: VERSION,
         family,
         continuity,
-        window: window.clone().map(|span| span.map(Number)),
+        window: numbers,
         stable_at,
         roots,
         nodes,
@@ -159,26 +160,6 @@ fn check_window([u, v]: &Window) -> Result<(), Diagnostic> {
         }
     }
     Ok(())
-}
-
-/// The box in the plane of `(x, y)`, cut where the factor vanishes.
-fn parts(plane: &Plane, [[u0, u1], [v0, v1]]: &Window) -> Vec<Polygon> {
-    let zero = plane.factor().map(|l| -l.coefficient(0) / l.coefficient(1));
-    let inside = zero.filter(|t| u0 < t && t < u1);
-    let ends: Vec<&Rational> = [u0].into_iter().chain(&inside).chain([u1]).collect();
-    let part = |pair: &[&Rational]| {
-        let corners = [(pair[0], v0), (pair[1], v0), (pair[1], v1), (pair[0], v1)];
-        let mut corners = corners.map(|(u, v)| plane.point(&[u.clone(), v.clone()])).to_vec();
-        corners.dedup();
-        if corners.len() > 1 && corners.first() == corners.last() {
-            corners.pop();
-        }
-        Polygon::new(&corners).or_else(|| {
-            corners.reverse();
-            Polygon::new(&corners)
-        })
-    };
-    ends.windows(2).filter_map(part).collect()
 }
 
 /// A point near the middle of the box at which the shifts are stable, as they are almost everywhere.
@@ -253,16 +234,6 @@ fn common_line(conditions: &[Form]) -> Option<([Rational; 2], [Rational; 2])> {
 }
 
 impl Map {
-    /// The map that an earlier certificate proves, if it is about this family and holds.
-    pub fn certified(name: &str, mask: &Normalised, certificate: &MapCertificate) -> Option<Map> {
-        let plane = Plane::new(name, mask).ok()?;
-        if certificate.family != plane.family(plane.order()) {
-            return None;
-        }
-        let checker = MapChecker::new(&certificate.family, certificate.continuity).ok()?;
-        Map::checked(plane, certificate.clone(), checker).ok()
-    }
-
     fn checked(
         plane: Plane,
         certificate: MapCertificate,
@@ -276,8 +247,7 @@ impl Map {
             _ => None,
         };
         let lines = certificate.nodes.iter().map(line).collect();
-        let window = certificate.window.clone().map(|span| span.map(|end| end.0));
-        let parts = parts(&plane, &window);
+        let parts = parts_of_box(&certificate.family, &certificate.window).map_err(invalid)?;
         let checker = checker.into();
         Ok(Map { plane, certificate, cells, checker, parts, lines, verdicts })
     }

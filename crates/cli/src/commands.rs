@@ -8,7 +8,7 @@ use std::process::ExitCode;
 use indicatif::{ProgressBar, ProgressStyle};
 use refinable_algebra::{parse_rational, rational};
 use refinable_analysis::{Budget, Fineness, Map, Options, Sharpness, continuity_at, regularity};
-use refinable_certificate::{Certificate, MapCertificate, verify, verify_map};
+use refinable_certificate::{Certificate, MAP_FORMAT, MapCertificate, verify, verify_map};
 use refinable_papers::{Claims, Paper, Table};
 use refinable_report::{
     Audit, CERTIFICATES, CertificateStore, Effort, Maps, Quantity, Scan, Site, Sweep, degree_table,
@@ -84,8 +84,11 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
                     Quantity::Norm { continuity: usize::from(*continuity), level: *level }
                 }
             };
-            let (name, set) = (&scheme.scheme, scheme.set.join(" "));
-            let signature = format!("{name} {set} {grid} {quantity:?} {json_lines}\n");
+            let SchemeArguments { scheme: name, set, arity } = scheme;
+            let version = env!("CARGO_PKG_VERSION");
+            let signature = format!(
+                "{version}: {name} {set:?} arity {arity}, {grid}, {quantity:?}, lines {json_lines}\n"
+            );
             let scan = Scan::new(&resolve(scheme)?, grid, quantity)?;
             scanning::write(&scan, &signature, output.as_deref(), *json_lines, *resume)?;
         }
@@ -182,27 +185,22 @@ fn verify_files(paths: &[PathBuf]) -> Result<ExitCode, Failure> {
 
 /// The exit code and the verdict on one certificate, of either kind.
 fn verify_bytes(bytes: &[u8]) -> (u8, String) {
-    let unreadable = match Certificate::read(bytes) {
-        Ok(certificate) => {
-            return match verify(&certificate) {
-                Ok(_) => {
-                    let statement = refinable_report::statement(&certificate);
-                    (0, format!("valid: {statement}; {}", proof_text(&certificate)))
-                }
-                Err(invalid) => (1, format!("invalid: {invalid}")),
-            };
-        }
-        Err(unreadable) => unreadable,
+    let is_map = bytes.windows(MAP_FORMAT.len()).any(|part| part == MAP_FORMAT.as_bytes());
+    let checked = if is_map {
+        MapCertificate::read(bytes).map(|map| {
+            let statement = format!("map of C^{} of {}", map.continuity, map.family.name);
+            verify_map(&map).map(|cells| format!("{statement}; {} pieces", cells.len()))
+        })
+    } else {
+        Certificate::read(bytes).map(|certificate| {
+            let statement = refinable_report::statement(&certificate);
+            verify(&certificate).map(|_| format!("{statement}; {}", proof_text(&certificate)))
+        })
     };
-    match MapCertificate::read(bytes) {
-        Ok(map) => match verify_map(&map) {
-            Ok(cells) => {
-                let name = &map.family.name;
-                (0, format!("valid: map of C^{} of {name}; {} pieces", map.continuity, cells.len()))
-            }
-            Err(invalid) => (1, format!("invalid: {invalid}")),
-        },
-        Err(_) => (2, format!("unreadable: {unreadable}")),
+    match checked {
+        Ok(Ok(statement)) => (0, format!("valid: {statement}")),
+        Ok(Err(invalid)) => (1, format!("invalid: {invalid}")),
+        Err(unreadable) => (2, format!("unreadable: {unreadable}")),
     }
 }
 

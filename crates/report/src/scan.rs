@@ -7,7 +7,7 @@ use refinable_algebra::{
     Parameter, ParameterFraction, ParameterPolynomial, Rational, parse_rational, rational,
 };
 use refinable_analysis::{
-    Budget, Fineness, Map, MapVerdict, Norm, Options, PointVerdict, Sharpness, Window,
+    Budget, Fineness, Map, MapVerdict, Norm, Options, Plane, PointVerdict, Sharpness, Window,
     continuity_at, degrees, map, regularity,
 };
 use refinable_scheme::{Diagnostic, Normalised, Scheme, Substitution};
@@ -41,7 +41,7 @@ pub struct Scan {
     scheme: Scheme,
     axes: [Axis; 2],
     quantity: Quantity,
-    /// For the continuity: one map for each order below that of the symbol.
+    /// For the continuity: one map for each order up to that of the symbol, which holds on a line only.
     maps: Vec<Map>,
     norm: Option<Norm>,
 }
@@ -85,7 +85,7 @@ impl Scan {
 
     fn build_maps(&self) -> Result<Vec<Map>, Diagnostic> {
         let (name, mask) = (self.scheme.name(), self.scheme.mask());
-        let plane = refinable_analysis::Plane::new(name, mask)?;
+        let plane = Plane::new(name, mask)?;
         let span = |p: &Parameter| {
             let axis = self.axes.iter().find(|axis| axis.parameter == *p);
             axis.map(|axis| [axis.low.clone(), axis.high.clone()])
@@ -95,7 +95,7 @@ impl Scan {
         };
         let window: Window = [u, v];
         let fineness = Fineness { nodes: NODES, ..Fineness::default() };
-        (0..plane.order()).map(|n| map(name, mask, n, &window, &fineness)).collect()
+        (0..=plane.order()).map(|n| map(name, mask, n, &window, &fineness)).collect()
     }
 
     /// How many points there are.

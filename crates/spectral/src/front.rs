@@ -39,14 +39,8 @@ pub(crate) struct Front {
     pub low: f64,
     pub high: f64,
     pub length: f64,
-    along: f64,
-}
-
-impl Front {
     /// Where its middle is along the direction `(-n_y, n_x)`.
-    pub fn middle(&self) -> f64 {
-        self.along
-    }
+    pub middle: f64,
 }
 
 impl<'a> Sampler<'a> {
@@ -135,8 +129,8 @@ impl<'a> Sampler<'a> {
         }
         let low = offsets.iter().copied().fold(f64::INFINITY, f64::min);
         let high = offsets.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        let along = dot([-normal[1], normal[0]], middle);
-        Some(Front { normal, low, high, length, along })
+        let middle = dot([-normal[1], normal[0]], middle);
+        Some(Front { normal, low, high, length, middle })
     }
 
     /// 1 if words grow on the side to which the direction points, -1 if on the other.

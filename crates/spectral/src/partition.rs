@@ -50,7 +50,7 @@ pub fn partition(
         inequalities: inequalities(pencil, checker),
     };
     let mut arena = Arena { nodes: Vec::new(), open: Vec::new(), proved: 0.0 };
-    let whole = polygons.iter().map(|polygon| work.open(polygon.clone(), Role::Unknown));
+    let whole = polygons.iter().map(|polygon| work.open(polygon.clone()));
     let whole: Vec<Open> = whole.collect();
     let total: f64 = whole.iter().map(|open| open.area).sum();
     let roots = whole.into_iter().map(|open| arena.push(Piece::Open(open))).collect();
@@ -84,21 +84,19 @@ const BULGE: f64 = 0.1;
 const MARGINS: [f64; 2] = [0.01, 0.125];
 
 /// Inequalities that may refute, those first that reach up to the boundary.
-fn inequalities(pencil: &PlanePencil, checker: &MapChecker) -> Vec<(Inequality, Terms)> {
+fn inequalities(pencil: &PlanePencil, checker: &MapChecker) -> Vec<(Inequality, Floats)> {
     let words = Word::necklaces(pencil.letters(), SHORT_WORD, pencil.is_mirrored());
     let of = |word: &Word| checker.inequalities(&word.to_string(), &RADII);
     let mut all: Vec<(Inequality, Terms)> = words.par_iter().flat_map(of).collect();
     all.sort_by_key(|(inequality, _)| inequality.radius);
-    all
+    let float = |(c, i, j): &(Number, u32, u32)| (approximate(&c.0), *i as i32, *j as i32);
+    all.into_iter()
+        .map(|(inequality, terms)| (inequality, terms.iter().map(float).collect()))
+        .collect()
 }
 
-/// What is known of a piece.
-#[derive(Clone, Copy, PartialEq)]
-enum Role {
-    Unknown,
-    Inside,
-    Outside,
-}
+/// The terms `c x^i y^j` of a polynomial.
+type Floats = Vec<(f64, i32, i32)>;
 
 /// A piece that is not decided.
 #[derive(Clone)]
@@ -107,7 +105,6 @@ struct Open {
     /// Scaled.
     corners: Vec<Place>,
     area: f64,
-    role: Role,
 }
 
 /// What becomes of a piece.
@@ -167,26 +164,21 @@ struct Work<'a> {
     /// The coefficients of `l`.
     factor: Option<[f64; 2]>,
     sampler: Sampler<'a>,
-    inequalities: Vec<(Inequality, Terms)>,
+    inequalities: Vec<(Inequality, Floats)>,
 }
 
 impl Work<'_> {
-    fn open(&self, polygon: Polygon, role: Role) -> Open {
+    fn open(&self, polygon: Polygon) -> Open {
         let corners = scaled(&polygon, self.scale);
         let middle = corners.iter().map(|p| p[0]).sum::<f64>() / corners.len() as f64;
         let density = self.factor.map_or(1.0, |[c, d]| (c + d * middle * self.scale[0]).abs());
         let area = area(&corners) / density.max(f64::MIN_POSITIVE);
-        Open { polygon, corners, area, role }
+        Open { polygon, corners, area }
     }
 
     /// Decides a piece, or cuts it.
     fn step(&self, open: &Open) -> Piece {
-        let crossings = match open.role {
-            Role::Unknown => self.sampler.crossings(&open.corners),
-            Role::Inside => Ok(true),
-            Role::Outside => Ok(false),
-        };
-        let decided = match crossings {
+        let decided = match self.sampler.crossings(&open.corners) {
             Ok(true) => self.prove(open),
             Ok(false) => self.refute(open),
             Err(ends) => {
@@ -199,45 +191,36 @@ impl Work<'_> {
 
     /// Cuts along both sides of the boundary, or across it where it is not straight enough.
     fn along(&self, open: &Open, front: &Front) -> Piece {
-        let Front { normal, low, high, length, .. } = *front;
+        let Front { normal, low, high, length, middle } = *front;
         if high - low > BULGE * length {
             let across = [-normal[1], normal[0]];
-            return self.cut(open, across, front.middle(), [Role::Unknown; 2]);
+            return self.cut(open, across, middle);
         }
         let (bottom, top) = extent(&open.corners, normal);
         let margin = (MARGINS[0] * length).min(MARGINS[1] * (top - bottom)) + 0.1 * (high - low);
-        let piece = |polygon, role| self.decided_or_open(self.open(polygon, role));
         let inner = self.parts(&open.polygon, normal, low - margin);
         let Some((line, [Some(inside), Some(beyond)])) = inner else { return self.halve(open) };
         let beyond = match self.parts(&beyond, normal, high + margin) {
             Some((line, [Some(strip), Some(outside)])) => {
-                let strip = Piece::Open(self.open(strip, Role::Unknown));
-                Piece::Cut(line, Box::new([strip, piece(outside, Role::Outside)]))
+                let outside = decided_or_open(self.open(outside), |open| self.refute(open));
+                Piece::Cut(line, Box::new([Piece::Open(self.open(strip)), outside]))
             }
-            _ => Piece::Open(self.open(beyond, Role::Unknown)),
+            _ => Piece::Open(self.open(beyond)),
         };
-        Piece::Cut(line, Box::new([piece(inside, Role::Inside), beyond]))
+        let inside = decided_or_open(self.open(inside), |open| self.prove(open));
+        Piece::Cut(line, Box::new([inside, beyond]))
     }
 
-    /// Decides a piece of which the role is known at once if that is easy.
-    fn decided_or_open(&self, open: Open) -> Piece {
-        let decided = match open.role {
-            Role::Inside => self.prove(&open),
-            _ => self.refute(&open),
-        };
-        match decided {
-            Some(node) => Piece::Done(node, open.area),
-            None => Piece::Open(Open { role: Role::Unknown, ..open }),
-        }
+    /// The corners as they are.
+    fn places(&self, open: &Open) -> Vec<Place> {
+        open.corners.iter().map(|p| [0, 1].map(|i| p[i] * self.scale[i])).collect()
     }
 
     fn prove(&self, open: &Open) -> Option<Node> {
         if self.checker.has_small_norm(&open.polygon) {
             return Some(Node::Norm);
         }
-        let place = |p: &Place| [0, 1].map(|i| p[i] * self.scale[i]);
-        let corners: Vec<Place> = open.corners.iter().map(place).collect();
-        let sets = self.pencil.controls(&corners);
+        let sets = self.pencil.controls(&self.places(open));
         let accept = |polytope: &_| self.checker.accepts(&open.polygon, polytope);
         let mirrored = self.pencil.is_mirrored();
         let found = common_polytope(&sets, mirrored, &self.sampler.words, &accept);
@@ -245,10 +228,9 @@ impl Work<'_> {
     }
 
     fn refute(&self, open: &Open) -> Option<Node> {
-        let place = |p: &Place| [0, 1].map(|i| p[i] * self.scale[i]);
-        let corners: Vec<Place> = open.corners.iter().map(place).collect();
+        let places = self.places(open);
         let holds =
-            |(_, terms): &&(Inequality, Terms)| corners.iter().all(|p| value(terms, *p) <= 0.0);
+            |(_, terms): &&(Inequality, Floats)| places.iter().all(|p| value(terms, *p) <= 0.0);
         let mut likely = self.inequalities.iter().filter(holds);
         let found = likely.find(|(inequality, _)| self.checker.refutes(&open.polygon, inequality));
         found.map(|(inequality, _)| Node::Word(inequality.clone()))
@@ -261,14 +243,13 @@ impl Work<'_> {
         // A rough direction, so that numbers stay short.
         let across = [0, 1].map(|i| ((q[i] - p[i]) / length * 8.0).round() / 8.0);
         let (low, high) = extent(&open.corners, across);
-        self.cut(open, across, 0.5 * (low + high), [Role::Unknown; 2])
+        self.cut(open, across, 0.5 * (low + high))
     }
 
-    fn cut(&self, open: &Open, normal: Place, at: f64, roles: [Role; 2]) -> Piece {
+    fn cut(&self, open: &Open, normal: Place, at: f64) -> Piece {
         match self.parts(&open.polygon, normal, at) {
             Some((line, [Some(below), Some(above)])) => {
-                let parts = [(below, roles[0]), (above, roles[1])];
-                let parts = parts.map(|(polygon, role)| Piece::Open(self.open(polygon, role)));
+                let parts = [below, above].map(|part| Piece::Open(self.open(part)));
                 Piece::Cut(line, Box::new(parts))
             }
             // Too small for the numbers in use.
@@ -306,6 +287,14 @@ fn scale(polygons: &[Polygon]) -> Place {
     })
 }
 
-fn value(terms: &Terms, [x, y]: Place) -> f64 {
-    terms.iter().map(|(c, i, j)| approximate(&c.0) * x.powi(*i as i32) * y.powi(*j as i32)).sum()
+fn value(terms: &Floats, [x, y]: Place) -> f64 {
+    terms.iter().map(|(c, i, j)| c * x.powi(*i) * y.powi(*j)).sum()
+}
+
+/// A piece that is decided at once if that is easy.
+fn decided_or_open(open: Open, decide: impl Fn(&Open) -> Option<Node>) -> Piece {
+    match decide(&open) {
+        Some(node) => Piece::Done(node, open.area),
+        None => Piece::Open(open),
+    }
 }

@@ -24,4 +24,4 @@ mod verify;
 
 pub use model::*;
 pub use polygon::{Line, Polygon};
-pub use verify::{Cell, CellVerdict, MapChecker, verify_map};
+pub use verify::{Cell, CellVerdict, MapChecker, parts_of_box, verify_map};

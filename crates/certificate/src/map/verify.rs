@@ -189,6 +189,18 @@ pub fn verify_map(map: &MapCertificate) -> Result<Vec<Cell>, Invalid> {
     Ok(cells)
 }
 
+/// The box of a family as convex polygons of the plane of `(x, y)`: one, or two where the factor of the
+/// chart vanishes inside of it.
+///
+/// # Errors
+/// [`Invalid`] if the box is empty or the chart has no such factor.
+pub fn parts_of_box(
+    family: &PlaneFamily,
+    window: &[[Number; 2]; 2],
+) -> Result<Vec<Polygon>, Invalid> {
+    parts(family, window).map_err(invalid(Part::Box))
+}
+
 /// The certificate of a section proves something about C^n.
 fn check_certificate(section: &Section, continuity: usize) -> Check<Scheme> {
     let certificate = &section.certificate;
