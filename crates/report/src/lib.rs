@@ -7,6 +7,7 @@
 //! | `show`, `degrees`, `range`, `sharp`, `regularity`, `norm` | one document for each analysis |
 //! | `map`, `map_picture` | [`Maps`]: orders of continuity over two parameters, as data and as SVG |
 //! | `scan` | [`Scan`]: a quantity at every point of a grid |
+//! | `svg` | what pictures have in common |
 //! | `picture` | claimed against proved ranges as SVG |
 //! | `audit` | [`Audit`]: the verdict on every cell of a paper's tables |
 //! | `site` | the files of a report directory |
@@ -29,6 +30,7 @@ mod scan;
 mod sharp;
 mod show;
 mod site;
+mod svg;
 mod sweep;
 
 pub use audit::{Agreement, Audit, AuditedCell, AuditedTable, CertificateStore, Effort, Ranges};

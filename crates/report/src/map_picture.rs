@@ -6,7 +6,7 @@
 use std::fmt::Write;
 
 use refinable_algebra::{
-    ParameterFraction, ParameterPolynomial, Rational, Ring, decimal, integer, rational,
+    ParameterFraction, ParameterPolynomial, Rational, Ring, integer, rational,
 };
 use refinable_analysis::{Map, Window, region_of};
 use refinable_certificate::{CellVerdict, Conclusion};
@@ -14,6 +14,7 @@ use refinable_reals::Bound;
 use refinable_scheme::Diagnostic;
 
 use crate::map::{Maps, parse_curve, parse_point};
+use crate::svg::{escape, place, raised};
 
 const LEFT: f64 = 84.0;
 const TOP: f64 = 44.0;
@@ -394,9 +395,7 @@ fn shoelace(points: &[(f64, f64)]) -> f64 {
 
 /// `C⁰`, `C¹`, …
 fn order(n: usize) -> String {
-    let digits = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
-    let raised: String =
-        n.to_string().chars().filter_map(|c| c.to_digit(10)).map(|d| digits[d as usize]).collect();
+    let raised = raised(&n.to_string()).unwrap_or_default();
     format!("C{raised}")
 }
 
@@ -406,13 +405,4 @@ fn greek(name: &str) -> String {
         "beta" => "β".into(),
         _ => name.into(),
     }
-}
-
-/// Where ink goes; the decimal text is exact arithmetic.
-fn place(x: &Rational) -> f64 {
-    decimal(x, 15).parse().unwrap_or(0.0)
-}
-
-fn escape(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }

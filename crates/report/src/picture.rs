@@ -8,6 +8,7 @@ use std::fmt::Write;
 use refinable_reals::{Bound, Interval, RealAlgebraic, Region};
 
 use crate::audit::{Agreement, AuditedCell, AuditedTable, Ranges};
+use crate::svg::{escape, raised};
 
 const PANEL_WIDTH: f64 = 440.0;
 const LABEL_WIDTH: f64 = 44.0;
@@ -192,17 +193,10 @@ fn text(svg: &mut String, x: f64, y: f64, anchor: &str, rest: &str) {
 
 /// `C^2` as `C²`.
 fn superscript(text: &str) -> String {
-    let digits = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
     let Some((base, exponent)) = text.split_once('^') else {
         return text.to_string();
     };
-    let raised: Option<String> =
-        exponent.chars().map(|c| Some(digits[c.to_digit(10)? as usize])).collect();
-    raised.map_or_else(|| text.to_string(), |raised| format!("{base}{raised}"))
-}
-
-fn escape(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
+    raised(exponent).map_or_else(|| text.to_string(), |raised| format!("{base}{raised}"))
 }
 
 fn place(x: &RealAlgebraic) -> f64 {

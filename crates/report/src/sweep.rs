@@ -13,6 +13,7 @@ use serde_json::{Value, json};
 use crate::grid::{Cell, Document, Grid};
 use crate::range::only_parameter;
 use crate::regularity::outward;
+use crate::svg::{escape, place};
 
 /// Steps if none are given, and the most that are taken.
 const STEPS: u32 = 64;
@@ -196,15 +197,6 @@ fn highest(points: &[(Rational, Option<Regularity>)]) -> Option<(Rational, Regul
     known
         .reduce(|best, next| if next.1.lower > best.1.lower { next } else { best })
         .map(|(x, found)| (x.clone(), found.clone()))
-}
-
-/// Where ink goes; the decimal text is exact arithmetic.
-fn place(x: &Rational) -> f64 {
-    decimal(x, 15).parse().unwrap_or(0.0)
-}
-
-fn escape(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 
 fn parse(request: &str, parameter: &str) -> Result<(Rational, Rational, u32), Diagnostic> {
