@@ -225,7 +225,7 @@ fn verdict(verdict: CellVerdict) -> &'static str {
 fn because(node: &Node) -> String {
     match node {
         Node::Norm => "norm".into(),
-        Node::Polytope(polytope) => format!("polytope of {} vertices", polytope.vertices.len()),
+        Node::Ellipsoids(ellipsoids) => format!("ellipsoids of memory {}", ellipsoids.memory),
         Node::Word(inequality) => format!("word {}", inequality.word),
         Node::Indivisible => "division".into(),
         Node::Undecided | Node::Cut { .. } => String::new(),

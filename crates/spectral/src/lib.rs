@@ -15,7 +15,8 @@
 //! | `division` | [`divide`]: the line, divided at radius one; [`expanding`]: one side of it; [`decide`] at a single value |
 //! | `radius` | [`radius()`](radius()): the radius of one set of matrices |
 //! | `plane` | [`PlanePencil`]: matrices that are polynomials in two variables |
-//! | `common` | one polytope for several sets of matrices |
+//! | `ellipsoid` | ellipsoids that matrices map into each other, in floats |
+//! | `moving` | the same, moving with the point of a polygon, in the integers of a certificate |
 //! | `outline` | [`outline()`](outline()): a box around the set on which matrices contract |
 //! | `partition` | [`partition()`](partition()): polygons of the plane, divided at radius one |
 //! | `front`, `geometry` | where the boundary runs through a polygon, in floats |
@@ -25,13 +26,14 @@
 //! has accepted it.
 
 mod body;
-mod common;
 mod division;
+mod ellipsoid;
 mod float;
 mod front;
 mod gauge;
 mod geometry;
 mod leading;
+mod moving;
 mod outline;
 mod partition;
 mod pencil;

@@ -8,8 +8,8 @@ use rayon::prelude::*;
 use refinable_algebra::{Polynomial, Rational};
 use refinable_certificate::{Inequality, Line, MapChecker, Node, Number, Polygon, Terms};
 
-use crate::common::common_polytope;
 use crate::float::{approximate, dyadic};
+use crate::moving::moving_ellipsoids;
 use crate::front::{Front, Sampler};
 use crate::geometry::{Place, area, diameter, extent};
 use crate::plane::PlanePencil;
@@ -134,7 +134,7 @@ impl Arena {
         match piece {
             Piece::Open(open) => self.open.push((at, open)),
             Piece::Done(node, area) => {
-                let proves = matches!(node, Node::Norm | Node::Polytope(_));
+                let proves = matches!(node, Node::Norm | Node::Ellipsoids(_));
                 self.proved += if proves { area } else { 0.0 };
                 self.nodes[at] = node;
             }
@@ -220,11 +220,8 @@ impl Work<'_> {
         if self.checker.has_small_norm(&open.polygon) {
             return Some(Node::Norm);
         }
-        let sets = self.pencil.controls(&self.places(open));
-        let accept = |polytope: &_| self.checker.accepts(&open.polygon, polytope);
-        let mirrored = self.pencil.is_mirrored();
-        let found = common_polytope(&sets, mirrored, &self.sampler.words, &accept);
-        found.map(|polytope| Node::Polytope(Box::new(polytope)))
+        let accept = |ellipsoids: &_| self.checker.accepts(&open.polygon, ellipsoids);
+        moving_ellipsoids(self.pencil, &self.places(open), &accept).map(Node::Ellipsoids)
     }
 
     fn refute(&self, open: &Open) -> Option<Node> {

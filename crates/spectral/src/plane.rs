@@ -11,8 +11,7 @@ use crate::pencil::is_mirrored;
 #[derive(Clone, Debug)]
 pub struct PlanePencil {
     /// `i`, `j` and the matrices, rounded: they only ever search.
-    terms: Vec<(usize, usize, Vec<DMatrix<f64>>)>,
-    degree: usize,
+    terms: Vec<(i32, i32, Vec<DMatrix<f64>>)>,
     mirrored: bool,
 }
 
@@ -30,10 +29,9 @@ impl PlanePencil {
         };
         let terms: Vec<_> = terms
             .iter()
-            .map(|(i, j, set)| (*i as usize, *j as usize, set.iter().map(rounded).collect()))
+            .map(|(i, j, set)| (*i as i32, *j as i32, set.iter().map(rounded).collect()))
             .collect();
-        let degree = terms.iter().map(|(i, j, _)| i + j).max().unwrap_or(0);
-        PlanePencil { terms, degree, mirrored }
+        PlanePencil { terms, mirrored }
     }
 
     /// The number of matrices.
@@ -48,62 +46,32 @@ impl PlanePencil {
 
     /// The matrices at a point.
     pub(crate) fn at(&self, place: Place) -> Vec<DMatrix<f64>> {
-        self.polar(&vec![place; self.degree])
-    }
-
-    /// The matrices at all control points of a polygon one after the other: the values of the polar
-    /// form at the multisets of its corners.
-    pub(crate) fn controls(&self, corners: &[Place]) -> Vec<Vec<DMatrix<f64>>> {
-        let sets = multisets(corners.len(), self.degree).into_iter();
-        sets.map(|set| self.polar(&set.into_iter().map(|i| corners[i]).collect::<Vec<_>>()))
-            .collect()
-    }
-
-    /// The polar form at as many points as the degree says.
-    fn polar(&self, places: &[Place]) -> Vec<DMatrix<f64>> {
-        let weights = elementary(places);
+        let [x, y] = place;
         let mut sum: Vec<DMatrix<f64>> = self.terms[0].2.iter().map(|m| m * 0.0).collect();
         for (i, j, set) in &self.terms {
-            let weight = weights[*i][*j] / multinomial(self.degree, *i, *j);
+            let weight = x.powi(*i) * y.powi(*j);
             for (s, matrix) in sum.iter_mut().zip(set) {
                 s.zip_apply(matrix, |s, x| *s += weight * x);
             }
         }
         sum
     }
-}
 
-/// The coefficients of `X^i Y^j` in `Π (X x_k + Y y_k + 1)`.
-fn elementary(places: &[Place]) -> Vec<Vec<f64>> {
-    let n = places.len();
-    let mut product = vec![vec![0.0; n + 1]; n + 1];
-    product[0][0] = 1.0;
-    for (k, [x, y]) in places.iter().enumerate() {
-        for i in (0..=k).rev() {
-            for j in (0..=k - i).rev() {
-                let c = product[i][j];
-                product[i + 1][j] += c * x;
-                product[i][j + 1] += c * y;
-            }
+    /// The matrices `B_ε`, or, if they are mirrored, the `B_ε` and `B_ε J` for `2 ε < m`: their products are
+    /// those of the `B_ε`, up to a `J` on the left.
+    pub(crate) fn letters_at(&self, place: Place) -> Vec<DMatrix<f64>> {
+        let mut matrices = self.at(place);
+        if self.mirrored {
+            matrices.truncate(self.letters().div_ceil(2));
+            let reversed = |m: &DMatrix<f64>| {
+                DMatrix::from_fn(m.nrows(), m.ncols(), |i, j| m[(i, m.ncols() - 1 - j)])
+            };
+            let both = |m: DMatrix<f64>| {
+                let reversed = reversed(&m);
+                [m, reversed]
+            };
+            matrices = matrices.into_iter().flat_map(both).collect();
         }
+        matrices
     }
-    product
-}
-
-/// `n! / (i! j! (n-i-j)!)`.
-fn multinomial(n: usize, i: usize, j: usize) -> f64 {
-    let factorial = |k: usize| (1..=k).map(|k| k as f64).product::<f64>();
-    factorial(n) / (factorial(i) * factorial(j) * factorial(n - i - j))
-}
-
-/// All multisets of so many of the numbers below `count`, in the order of the certificate.
-fn multisets(count: usize, size: usize) -> Vec<Vec<usize>> {
-    if size == 0 {
-        return vec![Vec::new()];
-    }
-    let longer = |set: Vec<usize>| {
-        let from = set.last().copied().unwrap_or(0);
-        (from..count).map(move |i| [&set[..], &[i]].concat())
-    };
-    multisets(count, size - 1).into_iter().flat_map(longer).collect()
 }

@@ -8,7 +8,7 @@ use crate::family::{Scheme, dimension, divide_by_geometric, matrices};
 use crate::limits;
 use crate::map::form::{Form, Places, cleared, degree, multisets};
 use crate::map::model::{Chart, PlaneFamily, Terms};
-use crate::map::polygon::Polygon;
+use crate::map::polygon::{Corner, Polygon};
 use crate::number::Number;
 use crate::work::{Check, Work, ensure, fail, largest_bits};
 
@@ -95,6 +95,22 @@ impl PlaneScheme {
         matrices(&self.difference, self.arity)
     }
 
+    /// The values of the polar forms of forms at as many points as the degree says, and their common
+    /// denominator.
+    pub fn polar(
+        &self,
+        forms: &[Form],
+        points: &[&Corner],
+        work: &mut Work,
+    ) -> Check<(Vec<Integer>, Integer)> {
+        let n = self.degree;
+        let bits = largest_bits(points.iter().copied().flatten()) * n as u64 + 64;
+        work.products((n + 1) * (n + 2) * (forms.len() + n), bits, bits)?;
+        let places = Places::new(points);
+        let values = forms.iter().map(|form| places.value(form)).collect();
+        Ok((values, places.denominator * &self.denominator))
+    }
+
     /// The values of forms at all control points of a piece, each with its denominator: the polar
     /// forms at the multisets of its corners. On the piece a form is a mean of them.
     pub fn controls(
@@ -107,15 +123,12 @@ impl PlaneScheme {
         let (r, n) = (corners.len() as u32, self.degree as u32);
         let count = i64::try_from(&binomial(r + n - n.min(1), n)).unwrap_or(i64::MAX);
         ensure(count <= CONTROLS, "more than 2000 control points")?;
-        let bits = largest_bits(corners.iter().flatten()) * u64::from(n) + 64;
-        let terms = (self.degree + 1) * (self.degree + 2) * (forms.len() + self.degree);
-        work.products(count as usize * terms, bits, bits)?;
-        let at = |set: Vec<usize>| {
-            let places = Places::new(&set.iter().map(|&i| &corners[i]).collect::<Vec<_>>());
-            let values = forms.iter().map(|form| places.value(form)).collect();
-            (values, places.denominator * &self.denominator)
-        };
-        Ok(multisets(corners.len(), self.degree).into_iter().map(at).collect())
+        let sets = multisets(corners.len(), self.degree).into_iter();
+        sets.map(|set| {
+            let points: Vec<&Corner> = set.into_iter().map(|i| &corners[i]).collect();
+            self.polar(forms, &points, work)
+        })
+        .collect()
     }
 
     /// The numerators of `m^n a / σ^(n+1)`.

@@ -7,17 +7,19 @@
 //! | `polygon` | [`Polygon`], [`Line`]: convex polygons and how they are cut |
 //! | `form` | polynomials in two variables: polar forms, signs on polygons |
 //! | `family` | the symbol, the difference symbol, the matrices on a piece |
-//! | `polytope` | pieces on which a polytope proves contraction |
+//! | `ellipsoid` | pieces on which ellipsoids prove contraction |
+//! | `positive` | positive definite matrices |
 //! | `inequality` | pieces on which the product along a word has a large eigenvalue |
 //! | `stability` | where shifts may fail to be stable |
 //! | `verify` | [`verify_map`]: all nodes, and what is proved where |
 
+mod ellipsoid;
 mod family;
 mod form;
 mod inequality;
 mod model;
 mod polygon;
-mod polytope;
+mod positive;
 mod read;
 mod stability;
 mod verify;

@@ -85,8 +85,8 @@ pub enum Node {
     },
     /// C^n holds, since `‖c_n‖ < 1`.
     Norm,
-    /// C^n holds, since the matrices map a polytope into its interior.
-    Polytope(Box<CellPolytope>),
+    /// C^n holds, since the matrices map ellipsoids into the interior of each other.
+    Ellipsoids(Ellipsoids),
     /// C^n fails wherever the shifts are stable, since the product along a word has a large
     /// eigenvalue; and everywhere if it is so large that the scheme diverges.
     Word(Inequality),
@@ -123,28 +123,17 @@ pub enum Eigenvalue {
     Pair,
 }
 
-/// A symmetric polytope that the matrices at all control points of a piece map into its interior.
+/// Ellipsoids that move with the point of a piece, one for each word of letters of a length: every letter
+/// maps the ellipsoid of a word into the interior of that of the word which ends with the letter.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct CellPolytope {
-    /// Whether the mirror images of the vertices belong to it.
-    pub mirrored: bool,
-    /// Vertices are integers over `2^bits`.
-    pub bits: u32,
-    /// The vertices.
-    pub vertices: Vec<Vec<i64>>,
-    /// Weights are integers over `2^weight_bits`.
-    pub weight_bits: u32,
-    /// The unit vectors, nearly.
-    pub units: Vec<Weights>,
-    /// For each vertex its images, nearly: at the first control point under each letter, at the second,
-    /// and so on.
-    pub images: Vec<Vec<Weights>>,
+pub struct Ellipsoids {
+    /// The length of the words: how many of the letters applied last an ellipsoid knows.
+    pub memory: u32,
+    /// For each corner of the piece, for each word in lexicographic order, the upper triangle, row by
+    /// row, of the positive definite `Q`: the ellipsoid is `{x : x x^T ≼ Q}`. Only ratios matter.
+    pub corners: Vec<Vec<Vec<i64>>>,
 }
-
-/// `Σ (weight / 2^weight_bits) u_index` as `[index, weight]`; the mirror images of the vertices come
-/// after them all.
-pub type Weights = Vec<(usize, i64)>;
 
 /// What is proved on a line, or at a point, of the plane.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]

@@ -6,16 +6,16 @@ use rayon::prelude::*;
 use refinable_algebra::{Integer, Ordered, Rational};
 
 use crate::error::{Invalid, Part};
-use crate::family::{Scheme, places};
+use crate::family::Scheme;
+use crate::map::ellipsoid::Letters;
 use crate::map::family::{PlaneScheme, check_section, parts};
 use crate::map::form::{Form, is_nowhere_positive};
 use crate::map::inequality::{Blocks, polynomial};
 use crate::map::model::{
-    CellPolytope, Eigenvalue, Inequality, MAP_FORMAT, MapCertificate, Node, PlaneFamily, Section,
+    Eigenvalue, Ellipsoids, Inequality, MAP_FORMAT, MapCertificate, Node, PlaneFamily, Section,
     Terms,
 };
 use crate::map::polygon::{Line, Polygon};
-use crate::map::polytope::{self, Control};
 use crate::map::stability::is_generic;
 use crate::model::{Conclusion, VERSION};
 use crate::number::Number;
@@ -54,7 +54,8 @@ pub struct MapChecker {
     continuity: usize,
     /// The difference symbol of the order `n + 1`, if there is one.
     lower: Option<Vec<Form>>,
-    mirrored: bool,
+    /// The matrices, if `n` is less than the order.
+    letters: Option<Letters>,
 }
 
 impl MapChecker {
@@ -68,8 +69,8 @@ impl MapChecker {
             Ok(_) => Some(scheme.lower_difference(continuity).map_err(invalid(Part::Family))?),
             Err(_) => None,
         };
-        let mirrored = scheme.is_mirrored();
-        Ok(MapChecker { scheme, continuity, lower, mirrored })
+        let letters = scheme.bound(continuity).ok().map(|bound| Letters::new(&scheme, &bound));
+        Ok(MapChecker { scheme, continuity, lower, letters })
     }
 
     /// Whether `‖c_n‖ < 1` on the closed polygon.
@@ -86,9 +87,10 @@ impl MapChecker {
         self.lower.as_ref().and_then(controls).is_some_and(|all| all.iter().all(small))
     }
 
-    /// Whether the polytope proves C^n on the closed polygon.
-    pub fn accepts(&self, polygon: &Polygon, polytope: &CellPolytope) -> bool {
-        self.check_polytope(polygon, polytope, &mut Work::new()).is_ok()
+    /// Whether the ellipsoids prove C^n on the closed polygon.
+    pub fn accepts(&self, polygon: &Polygon, ellipsoids: &Ellipsoids) -> bool {
+        let letters = self.letters.as_ref();
+        letters.is_some_and(|l| l.check(&self.scheme, polygon, ellipsoids, &mut Work::new()).is_ok())
     }
 
     /// All inequalities for the blocks of a word with some radii, as polynomials in `x` and `y` that are
@@ -122,26 +124,6 @@ impl MapChecker {
         is_generic(&self.scheme, point, &mut Work::new()).unwrap_or(false)
     }
 
-    fn check_polytope(
-        &self,
-        polygon: &Polygon,
-        polytope: &CellPolytope,
-        work: &mut Work,
-    ) -> Check<()> {
-        let bound = self.scheme.bound(self.continuity)?;
-        ensure(!polytope.mirrored || self.mirrored, "the difference symbol is not symmetric")?;
-        let places = places(self.scheme.difference.len(), self.scheme.arity);
-        let controls = self.scheme.controls(&self.scheme.difference, polygon, work)?;
-        let control = |(values, denominator): (Vec<Integer>, Integer)| {
-            let matrix = |places: &Vec<Option<usize>>| {
-                places.iter().map(|place| place.map(|i| &values[i])).collect()
-            };
-            let matrices: Vec<Vec<Option<&Integer>>> = places.iter().map(matrix).collect();
-            Control::new(&matrices, &(denominator * &bound))
-        };
-        let controls: Vec<Control> = controls.into_iter().map(control).collect::<Check<_>>()?;
-        polytope::check(polytope, self.scheme.dimension(), &controls, work)
-    }
 }
 
 fn terms(form: &Form) -> Terms {
@@ -304,8 +286,11 @@ impl<'a> Reasons<'a> {
                 ensure(self.checker.has_small_norm(polygon), "the norm is not below one")?;
                 Ok(CellVerdict::Proved)
             }
-            Node::Polytope(polytope) => {
-                self.checker.check_polytope(polygon, polytope, work)?;
+            Node::Ellipsoids(ellipsoids) => {
+                let Some(letters) = &self.checker.letters else {
+                    return fail("the continuity is not less than the order");
+                };
+                letters.check(&self.checker.scheme, polygon, ellipsoids, work)?;
                 Ok(CellVerdict::Proved)
             }
             Node::Word(inequality) => {

@@ -1,0 +1,237 @@
+//! Ellipsoids that matrices map into each other: the analytic centre of all that do, in floats.
+
+use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
+
+/// Letters of a word that an ellipsoid may know; what they are for is in `docs/certificates.md`.
+pub(crate) const MOST_MEMORY: u32 = 3;
+
+/// Newton's method stops at this decrement on the way,
+const ROUGH: f64 = 0.3;
+/// and at this one at its end.
+const FINE: f64 = 0.02;
+const MOST_STEPS: usize = 60;
+/// How much of the way to the least radius remains after each round.
+const REST: f64 = 0.15;
+/// A round that lowers the radius by less is the last.
+const LEAST_GAIN: f64 = 1e-5;
+
+/// The positive definite `Q_s`, one for each word `s` of letters `B`, with `B Q_s B^T ≺ Q_t`, where `t` ends
+/// with `B`, that make `Σ tr Q_s - Σ log det (Q_t - B Q_s B^T)` least. It is an analytic function of the
+/// letters.
+pub(crate) struct Centre {
+    graph: Graph,
+    /// The `Q_s`.
+    pub ellipsoids: Vec<DMatrix<f64>>,
+    hessian: Cholesky<f64, Dyn>,
+}
+
+/// How words follow each other.
+#[derive(Clone, Copy)]
+struct Graph {
+    letters: usize,
+    words: usize,
+    size: usize,
+}
+
+impl Graph {
+    fn new(letters: &[DMatrix<f64>], memory: u32) -> Self {
+        Graph {
+            letters: letters.len(),
+            words: letters.len().pow(memory),
+            size: letters[0].nrows(),
+        }
+    }
+
+    /// The words, the letter that comes next, and the words after it.
+    fn edges(self) -> impl Iterator<Item = (usize, usize, usize)> {
+        (0..self.words).flat_map(move |word| {
+            (0..self.letters).map(move |l| (word, l, (word * self.letters + l) % self.words))
+        })
+    }
+
+    /// The number of coordinates of a symmetric matrix.
+    fn coordinates(self) -> usize {
+        self.size * (self.size + 1) / 2
+    }
+}
+
+/// Gradient and Hessian of what is made least.
+struct Jet {
+    gradient: DVector<f64>,
+    hessian: DMatrix<f64>,
+}
+
+impl Centre {
+    /// The centre, if there are such ellipsoids.
+    ///
+    /// Starts where radius one is replaced by a larger one, and lowers it.
+    pub fn find(letters: &[DMatrix<f64>], memory: u32) -> Option<Centre> {
+        let graph = Graph::new(letters, memory);
+        let size = graph.size;
+        let mut ellipsoids = vec![DMatrix::identity(size, size); graph.words];
+        let mut least = graph.radius(letters, &ellipsoids)?;
+        let mut radius = 1.05 * least;
+        while least >= 1.0 {
+            graph.centre(letters, radius, &mut ellipsoids, ROUGH)?;
+            least = graph.radius(letters, &ellipsoids)?;
+            let next = least + REST * (radius - least);
+            if least >= 1.0 && radius - next < LEAST_GAIN * radius {
+                return None;
+            }
+            radius = next;
+        }
+        let hessian = graph.centre(letters, 1.0, &mut ellipsoids, FINE)?;
+        Some(Centre { graph, ellipsoids, hessian })
+    }
+
+    /// The derivative of the centre in a direction, by that of the gradient: half its difference at two
+    /// opposite places nearby.
+    pub fn slope(
+        &self,
+        ahead: &[DMatrix<f64>],
+        behind: &[DMatrix<f64>],
+    ) -> Option<Vec<DMatrix<f64>>> {
+        let gradient = |letters| Some(self.graph.jet(letters, 1.0, &self.ellipsoids)?.gradient);
+        let change = (gradient(ahead)? - gradient(behind)?) * 0.5;
+        Some(self.graph.matrices(&-self.hessian.solve(&change)))
+    }
+}
+
+impl Graph {
+    /// The least square of a radius in place of one.
+    fn radius(self, letters: &[DMatrix<f64>], ellipsoids: &[DMatrix<f64>]) -> Option<f64> {
+        let roots: Vec<DMatrix<f64>> =
+            ellipsoids.iter().map(|q| Some(q.clone().cholesky()?.unpack())).collect::<Option<_>>()?;
+        let of = |(from, letter, to): (usize, usize, usize)| {
+            let image = roots[to].solve_lower_triangular(&(&letters[letter] * &roots[from]))?;
+            Some((&image * image.transpose()).symmetric_eigenvalues().max())
+        };
+        self.edges().map(of).try_fold(0.0, |largest: f64, r| Some(largest.max(r?)))
+    }
+
+    /// Moves ellipsoids to the centre; returns the Hessian there.
+    fn centre(
+        self,
+        letters: &[DMatrix<f64>],
+        radius: f64,
+        ellipsoids: &mut [DMatrix<f64>],
+        accuracy: f64,
+    ) -> Option<Cholesky<f64, Dyn>> {
+        // At the centre the sum of the traces is the sum of the ranks.
+        let traces: f64 = ellipsoids.iter().map(DMatrix::trace).sum();
+        let scale = (self.words * self.letters * self.size) as f64 / traces;
+        ellipsoids.iter_mut().for_each(|q| *q *= scale);
+        for _ in 0..MOST_STEPS {
+            let Jet { gradient, hessian } = self.jet(letters, radius, ellipsoids)?;
+            let hessian = hessian.cholesky()?;
+            let step = -hessian.solve(&gradient);
+            let decrement = (-gradient.dot(&step)).max(0.0).sqrt();
+            let step = self.matrices(&step);
+            let moved = |part: f64| -> Vec<DMatrix<f64>> {
+                ellipsoids.iter().zip(&step).map(|(q, d)| q + d * part).collect()
+            };
+            // Half the Newton step, a quarter…, but not less than what is known to be safe.
+            let safe = 1.0 / (1.0 + decrement);
+            let bold = std::iter::successors(Some(1.0), |part| Some(0.6 * part));
+            let bold = bold.take_while(|part| *part > safe).find(|&part| {
+                self.edges().all(|edge| slack(letters, radius, &moved(part), edge).is_some())
+            });
+            let part = match bold {
+                Some(1.0) => 1.0,
+                Some(part) => (0.9 * part).max(safe),
+                None if decrement < ROUGH => 1.0,
+                None => safe,
+            };
+            let next = moved(part);
+            ellipsoids.clone_from_slice(&next);
+            if decrement < accuracy {
+                return Some(hessian);
+            }
+        }
+        None
+    }
+
+    /// The derivatives of `Σ tr Q_s - Σ log det M`, `M = radius Q_t - B Q_s B^T`, in orthonormal coordinates
+    /// of the `Q_s`; `None` where an `M` is not positive definite.
+    ///
+    /// With `P = M^-1`: in the directions `F`, `G` of `Q_t` the second derivative is `radius² tr(P F P G)`;
+    /// in those of `Q_s` the same with `B^T P B` in place of `P`; in one of each with `P B`.
+    fn jet(self, letters: &[DMatrix<f64>], radius: f64, ellipsoids: &[DMatrix<f64>]) -> Option<Jet> {
+        let n = self.coordinates();
+        let identity = DMatrix::identity(self.size, self.size);
+        let mut gradient = DVector::zeros(n * self.words);
+        let mut hessian = DMatrix::zeros(n * self.words, n * self.words);
+        for word in 0..self.words {
+            add_vector(&mut gradient, word * n, 1.0, &identity);
+        }
+        for (from, letter, to) in self.edges() {
+            let b = &letters[letter];
+            let p = slack(letters, radius, ellipsoids, (from, letter, to))?.inverse();
+            let pb = &p * b;
+            let bpb = b.transpose() * &pb;
+            let (from, to) = (from * n, to * n);
+            add_vector(&mut gradient, to, -radius, &p);
+            add_vector(&mut gradient, from, 1.0, &bpb);
+            add_square(&mut hessian, [to, to], radius * radius, &p);
+            add_square(&mut hessian, [from, from], 1.0, &bpb);
+            add_square(&mut hessian, [to, from], -radius, &pb);
+            add_square(&mut hessian, [from, to], -radius, &pb.transpose());
+        }
+        Some(Jet { gradient, hessian })
+    }
+
+    /// The symmetric matrices with the given coordinates.
+    fn matrices(self, coordinates: &DVector<f64>) -> Vec<DMatrix<f64>> {
+        let of = |word: usize| {
+            let mut matrix = DMatrix::zeros(self.size, self.size);
+            let rest = coordinates.iter().skip(word * self.coordinates());
+            for ((i, j), x) in pairs(self.size).zip(rest) {
+                matrix[(i, j)] = if i == j { *x } else { x * std::f64::consts::FRAC_1_SQRT_2 };
+                matrix[(j, i)] = matrix[(i, j)];
+            }
+            matrix
+        };
+        (0..self.words).map(of).collect()
+    }
+}
+
+/// The factor of `radius Q_t - B Q_s B^T`, if it is positive definite.
+fn slack(
+    letters: &[DMatrix<f64>],
+    radius: f64,
+    ellipsoids: &[DMatrix<f64>],
+    (from, letter, to): (usize, usize, usize),
+) -> Option<Cholesky<f64, Dyn>> {
+    let b = &letters[letter];
+    (&ellipsoids[to] * radius - b * &ellipsoids[from] * b.transpose()).cholesky()
+}
+
+/// The places of the upper triangle, row by row.
+fn pairs(size: usize) -> impl Iterator<Item = (usize, usize)> {
+    (0..size).flat_map(move |i| (i..size).map(move |j| (i, j)))
+}
+
+/// Adds `factor tr(P F)` for the unit vectors `F`.
+fn add_vector(vector: &mut DVector<f64>, at: usize, factor: f64, p: &DMatrix<f64>) {
+    for (a, (i, j)) in pairs(p.nrows()).enumerate() {
+        let scale = if i == j { 1.0 } else { std::f64::consts::SQRT_2 };
+        vector[at + a] += factor * scale * p[(i, j)];
+    }
+}
+
+/// Adds `factor tr(F T G T^T)` for the unit vectors `F`, `G`.
+fn add_square(
+    matrix: &mut DMatrix<f64>,
+    [row, column]: [usize; 2],
+    factor: f64,
+    t: &DMatrix<f64>,
+) {
+    let scale = |i: usize, j: usize| if i == j { std::f64::consts::FRAC_1_SQRT_2 } else { 1.0 };
+    for (b, (k, l)) in pairs(t.nrows()).enumerate() {
+        let factor = factor * scale(k, l);
+        for (a, (i, j)) in pairs(t.nrows()).enumerate() {
+            let product = t[(i, k)] * t[(j, l)] + t[(i, l)] * t[(j, k)];
+            matrix[(row + a, column + b)] += factor * scale(i, j) * product;
+        }
+    }
+}
