@@ -175,7 +175,7 @@ fn generic_point(plane: &Plane, window: &Window, checker: &MapChecker) -> Option
 /// Without stable shifts a large eigenvalue refutes nothing.
 fn forget_refuted(nodes: &mut [Node]) {
     for node in nodes {
-        if matches!(node, Node::Word(_)) {
+        if matches!(node, Node::Word(_) | Node::Expansion(_)) {
             *node = Node::Undecided;
         }
     }

@@ -227,6 +227,7 @@ fn because(node: &Node) -> String {
         Node::Norm => "norm".into(),
         Node::Ellipsoids(ellipsoids) => format!("ellipsoids of memory {}", ellipsoids.memory),
         Node::Word(inequality) => format!("word {}", inequality.word),
+        Node::Expansion(expansion) => format!("expansion {}", expansion.word),
         Node::Indivisible => "division".into(),
         Node::Undecided | Node::Cut { .. } => String::new(),
     }

@@ -2,18 +2,19 @@
 
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
+use crate::quadratic::{self, add_square, add_vector, symmetric};
+
 /// Letters of a word that an ellipsoid may know; what they are for is in `docs/certificates.md`.
-pub(crate) const MOST_MEMORY: u32 = 3;
+const MOST_MEMORY: u32 = 3;
 
 /// Newton's method stops at this decrement on the way,
 const ROUGH: f64 = 0.3;
 /// and at this one at its end.
 const FINE: f64 = 0.02;
 const MOST_STEPS: usize = 60;
-/// How much of the way to the least radius remains after each round.
+/// How much of the way to the least radius remains after each round. What the later rounds can gain, as
+/// far as is known, is less than what the last one did.
 const REST: f64 = 0.15;
-/// A round that lowers the radius by less is the last.
-const LEAST_GAIN: f64 = 1e-5;
 
 /// The positive definite `Q_s`, one for each word `s` of letters `B`, with `B Q_s B^T ≺ Q_t`, where `t` ends
 /// with `B`, that make `Σ tr Q_s - Σ log det (Q_t - B Q_s B^T)` least. It is an analytic function of the
@@ -29,6 +30,7 @@ pub(crate) struct Centre {
 #[derive(Clone, Copy)]
 struct Graph {
     letters: usize,
+    memory: u32,
     words: usize,
     size: usize,
 }
@@ -37,9 +39,20 @@ impl Graph {
     fn new(letters: &[DMatrix<f64>], memory: u32) -> Self {
         Graph {
             letters: letters.len(),
+            memory,
             words: letters.len().pow(memory),
             size: letters[0].nrows(),
         }
+    }
+
+    /// Words that are one letter longer, each with the ellipsoid of its end.
+    fn deeper(
+        self,
+        letters: &[DMatrix<f64>],
+        ellipsoids: &[DMatrix<f64>],
+    ) -> (Graph, Vec<DMatrix<f64>>) {
+        let deeper = Graph::new(letters, self.memory + 1);
+        (deeper, (0..deeper.words).map(|word| ellipsoids[word % self.words].clone()).collect())
     }
 
     /// The words, the letter that comes next, and the words after it.
@@ -47,11 +60,6 @@ impl Graph {
         (0..self.words).flat_map(move |word| {
             (0..self.letters).map(move |l| (word, l, (word * self.letters + l) % self.words))
         })
-    }
-
-    /// The number of coordinates of a symmetric matrix.
-    fn coordinates(self) -> usize {
-        self.size * (self.size + 1) / 2
     }
 }
 
@@ -62,26 +70,40 @@ struct Jet {
 }
 
 impl Centre {
-    /// The centre, if there are such ellipsoids.
+    /// The centre for the shortest words for which there are such ellipsoids.
     ///
-    /// Starts where radius one is replaced by a larger one, and lowers it.
-    pub fn find(letters: &[DMatrix<f64>], memory: u32) -> Option<Centre> {
-        let graph = Graph::new(letters, memory);
-        let size = graph.size;
-        let mut ellipsoids = vec![DMatrix::identity(size, size); graph.words];
+    /// Starts where radius one is replaced by a larger one, and lowers it; ellipsoids for short words
+    /// are a start for longer ones.
+    pub fn find(letters: &[DMatrix<f64>]) -> Option<Centre> {
+        let mut graph = Graph::new(letters, 0);
+        let mut ellipsoids = vec![DMatrix::identity(graph.size, graph.size)];
         let mut least = graph.radius(letters, &ellipsoids)?;
         let mut radius = 1.05 * least;
         while least >= 1.0 {
             graph.centre(letters, radius, &mut ellipsoids, ROUGH)?;
             least = graph.radius(letters, &ellipsoids)?;
-            let next = least + REST * (radius - least);
-            if least >= 1.0 && radius - next < LEAST_GAIN * radius {
-                return None;
+            if least - 1.0 > radius - least {
+                if graph.memory == MOST_MEMORY {
+                    return None;
+                }
+                (graph, ellipsoids) = graph.deeper(letters, &ellipsoids);
             }
-            radius = next;
+            radius = least + REST * (radius - least);
         }
         let hessian = graph.centre(letters, 1.0, &mut ellipsoids, FINE)?;
         Some(Centre { graph, ellipsoids, hessian })
+    }
+
+    /// The length of the words.
+    pub fn memory(&self) -> u32 {
+        self.graph.memory
+    }
+
+    /// The centre for words that are one letter longer.
+    pub fn deeper(&self, letters: &[DMatrix<f64>]) -> Option<Centre> {
+        let (graph, mut ellipsoids) = self.graph.deeper(letters, &self.ellipsoids);
+        let hessian = graph.centre(letters, 1.0, &mut ellipsoids, FINE)?;
+        (graph.memory <= MOST_MEMORY).then_some(Centre { graph, ellipsoids, hessian })
     }
 
     /// The derivative of the centre in a direction, by that of the gradient: half its difference at two
@@ -157,7 +179,7 @@ impl Graph {
     /// With `P = M^-1`: in the directions `F`, `G` of `Q_t` the second derivative is `radius² tr(P F P G)`;
     /// in those of `Q_s` the same with `B^T P B` in place of `P`; in one of each with `P B`.
     fn jet(self, letters: &[DMatrix<f64>], radius: f64, ellipsoids: &[DMatrix<f64>]) -> Option<Jet> {
-        let n = self.coordinates();
+        let n = quadratic::coordinates(self.size);
         let identity = DMatrix::identity(self.size, self.size);
         let mut gradient = DVector::zeros(n * self.words);
         let mut hessian = DMatrix::zeros(n * self.words, n * self.words);
@@ -182,16 +204,8 @@ impl Graph {
 
     /// The symmetric matrices with the given coordinates.
     fn matrices(self, coordinates: &DVector<f64>) -> Vec<DMatrix<f64>> {
-        let of = |word: usize| {
-            let mut matrix = DMatrix::zeros(self.size, self.size);
-            let rest = coordinates.iter().skip(word * self.coordinates());
-            for ((i, j), x) in pairs(self.size).zip(rest) {
-                matrix[(i, j)] = if i == j { *x } else { x * std::f64::consts::FRAC_1_SQRT_2 };
-                matrix[(j, i)] = matrix[(i, j)];
-            }
-            matrix
-        };
-        (0..self.words).map(of).collect()
+        let all = coordinates.as_slice().chunks_exact(quadratic::coordinates(self.size));
+        all.map(|form| symmetric(form, self.size)).collect()
     }
 }
 
@@ -204,34 +218,4 @@ fn slack(
 ) -> Option<Cholesky<f64, Dyn>> {
     let b = &letters[letter];
     (&ellipsoids[to] * radius - b * &ellipsoids[from] * b.transpose()).cholesky()
-}
-
-/// The places of the upper triangle, row by row.
-fn pairs(size: usize) -> impl Iterator<Item = (usize, usize)> {
-    (0..size).flat_map(move |i| (i..size).map(move |j| (i, j)))
-}
-
-/// Adds `factor tr(P F)` for the unit vectors `F`.
-fn add_vector(vector: &mut DVector<f64>, at: usize, factor: f64, p: &DMatrix<f64>) {
-    for (a, (i, j)) in pairs(p.nrows()).enumerate() {
-        let scale = if i == j { 1.0 } else { std::f64::consts::SQRT_2 };
-        vector[at + a] += factor * scale * p[(i, j)];
-    }
-}
-
-/// Adds `factor tr(F T G T^T)` for the unit vectors `F`, `G`.
-fn add_square(
-    matrix: &mut DMatrix<f64>,
-    [row, column]: [usize; 2],
-    factor: f64,
-    t: &DMatrix<f64>,
-) {
-    let scale = |i: usize, j: usize| if i == j { std::f64::consts::FRAC_1_SQRT_2 } else { 1.0 };
-    for (b, (k, l)) in pairs(t.nrows()).enumerate() {
-        let factor = factor * scale(k, l);
-        for (a, (i, j)) in pairs(t.nrows()).enumerate() {
-            let product = t[(i, k)] * t[(j, l)] + t[(i, l)] * t[(j, k)];
-            matrix[(row + a, column + b)] += factor * scale(i, j) * product;
-        }
-    }
 }

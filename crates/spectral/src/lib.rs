@@ -16,7 +16,8 @@
 //! | `radius` | [`radius()`](radius()): the radius of one set of matrices |
 //! | `plane` | [`PlanePencil`]: matrices that are polynomials in two variables |
 //! | `ellipsoid` | ellipsoids that matrices map into each other, in floats |
-//! | `moving` | the same, moving with the point of a polygon, in the integers of a certificate |
+//! | `quadratic` | symmetric matrices in coordinates, in floats |
+//! | `moving` | quadratic forms that move with the point of a polygon, in the integers of a certificate |
 //! | `outline` | [`outline()`](outline()): a box around the set on which matrices contract |
 //! | `partition` | [`partition()`](partition()): polygons of the plane, divided at radius one |
 //! | `front`, `geometry` | where the boundary runs through a polygon, in floats |
@@ -38,6 +39,7 @@ mod outline;
 mod partition;
 mod pencil;
 mod plane;
+mod quadratic;
 mod radius;
 mod recipe;
 mod rough;

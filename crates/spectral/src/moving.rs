@@ -1,14 +1,19 @@
-//! Ellipsoids that move with the point of a polygon, in the integers of a certificate.
+//! Quadratic forms that move with the point of a polygon, in the integers of a certificate.
 
-use nalgebra::DMatrix;
-use refinable_certificate::Ellipsoids;
+use nalgebra::{DMatrix, DVector};
+use refinable_certificate::{Ellipsoids, Expansion};
 
-use crate::ellipsoid::{Centre, MOST_MEMORY};
+use crate::ellipsoid::Centre;
 use crate::geometry::{Place, extent};
+use crate::leading::{fastest, product};
 use crate::plane::PlanePencil;
+use crate::quadratic::{add_square, add_vector, coordinates, pairs, symmetric};
+use crate::word::Word;
 
 /// Bits of the largest entry, tried in turn.
 const BITS: [i32; 2] = [20, 34];
+/// How long the words are that may show expansion.
+const LONGEST_WORD: usize = 5;
 /// The step for derivatives, against the extents of the polygon.
 const STEP: f64 = 1e-4;
 
@@ -17,22 +22,28 @@ const STEP: f64 = 1e-4;
 pub(crate) fn moving_ellipsoids(
     pencil: &PlanePencil,
     corners: &[Place],
-    accept: &dyn Fn(&Ellipsoids) -> bool,
+    accept: impl Fn(&Ellipsoids) -> bool,
 ) -> Option<Ellipsoids> {
-    (0..=MOST_MEMORY).find_map(|memory| {
-        let at_corners = tangent(pencil, corners, memory)?;
-        BITS.iter().map(|&bits| rounded(&at_corners, memory, bits)).find(|found| accept(found))
-    })
+    let middle = middle(corners);
+    let letters = pencil.letters_at(middle);
+    let accepted = |centre: &Centre| {
+        let at_corners = tangent(pencil, corners, middle, centre)?;
+        BITS.iter().find_map(|&bits| {
+            let corners = rounded(&at_corners, bits);
+            Some(Ellipsoids { memory: centre.memory(), corners }).filter(&accept)
+        })
+    };
+    let centre = Centre::find(&letters)?;
+    accepted(&centre).or_else(|| accepted(&centre.deeper(&letters)?))
 }
 
 /// For each corner the ellipsoids.
 fn tangent(
     pencil: &PlanePencil,
     corners: &[Place],
-    memory: u32,
+    middle: Place,
+    centre: &Centre,
 ) -> Option<Vec<Vec<DMatrix<f64>>>> {
-    let middle = [0, 1].map(|k| corners.iter().map(|c| c[k]).sum::<f64>() / corners.len() as f64);
-    let centre = Centre::find(&pencil.letters_at(middle), memory)?;
     let mut moving = Vec::new();
     for axis in [[1.0, 0.0], [0.0, 1.0]] {
         let (low, high) = extent(corners, axis);
@@ -53,14 +64,62 @@ fn tangent(
     Some(corners.iter().map(at).collect())
 }
 
-fn rounded(at_corners: &[Vec<DMatrix<f64>>], memory: u32, bits: i32) -> Ellipsoids {
+/// Forms for the fastest word in the middle of the polygon that are accepted, if they are found: at each
+/// corner those with `P' - B P B^T = 1` for each letter.
+pub(crate) fn moving_expansion(
+    pencil: &PlanePencil,
+    corners: &[Place],
+    accept: impl Fn(&Expansion) -> bool,
+) -> Option<Expansion> {
+    let middle = pencil.letters_at(middle(corners));
+    let words = Word::necklaces(middle.len(), LONGEST_WORD, false);
+    let (word, growth) = fastest(&middle, &words);
+    if growth <= 1.0 {
+        return None;
+    }
+    let falling = growing_forms(&middle, word)?[0].clone().symmetric_eigen();
+    let (least, _) = falling.eigenvalues.argmin();
+    let vector = falling.eigenvectors.column(least) * 2f64.powi(BITS[0]);
+    let at = |corner: &Place| growing_forms(&pencil.letters_at(*corner), word);
+    let at_corners: Vec<Vec<DMatrix<f64>>> = corners.iter().map(at).collect::<Option<_>>()?;
+    BITS.iter().find_map(|&bits| {
+        let vector = vector.iter().map(|x| x.round() as i64).collect();
+        let corners = rounded(&at_corners, bits);
+        Some(Expansion { word: word.to_string(), vector, corners }).filter(&accept)
+    })
+}
+
+/// The solutions of Stein's equations `P_{i+1} = B P_i B^T + 1` along a closed word.
+fn growing_forms(letters: &[DMatrix<f64>], word: &Word) -> Option<Vec<DMatrix<f64>>> {
+    let size = letters[0].nrows();
+    let next = |form: &DMatrix<f64>, letter: u8| {
+        let b = &letters[usize::from(letter)];
+        b * form * b.transpose() + DMatrix::identity(size, size)
+    };
+    let rest = word.letters().iter().fold(DMatrix::zeros(size, size), |p, &l| next(&p, l));
+    let mut right = DVector::zeros(coordinates(size));
+    add_vector(&mut right, 0, 1.0, &rest);
+    let mut matrix = DMatrix::identity(right.len(), right.len());
+    add_square(&mut matrix, [0, 0], -1.0, &product(letters, word));
+    let first = symmetric(matrix.lu().solve(&right)?.as_slice(), size);
+    let (_, others) = word.letters().split_last()?;
+    let forms = others.iter().scan(first.clone(), |form, &letter| {
+        *form = next(form, letter);
+        Some(form.clone())
+    });
+    Some(std::iter::once(first).chain(forms).collect())
+}
+
+fn middle(corners: &[Place]) -> Place {
+    [0, 1].map(|k| corners.iter().map(|c| c[k]).sum::<f64>() / corners.len() as f64)
+}
+
+/// Integers with the ratios of the entries, the upper triangles row by row.
+fn rounded(at_corners: &[Vec<DMatrix<f64>>], bits: i32) -> Vec<Vec<Vec<i64>>> {
     let largest = at_corners.iter().flatten().map(DMatrix::amax).fold(0.0, f64::max);
     let scale = 2f64.powi(bits) / largest;
     let triangle = |matrix: &DMatrix<f64>| {
-        let n = matrix.nrows();
-        let places = (0..n).flat_map(|i| (i..n).map(move |j| (i, j)));
-        places.map(|place| (matrix[place] * scale).round() as i64).collect()
+        pairs(matrix.nrows()).map(|place| (matrix[place] * scale).round() as i64).collect()
     };
-    let corner = |words: &Vec<DMatrix<f64>>| words.iter().map(triangle).collect();
-    Ellipsoids { memory, corners: at_corners.iter().map(corner).collect() }
+    at_corners.iter().map(|forms| forms.iter().map(triangle).collect()).collect()
 }

@@ -9,7 +9,7 @@ use refinable_algebra::{Polynomial, Rational};
 use refinable_certificate::{Inequality, Line, MapChecker, Node, Number, Polygon, Terms};
 
 use crate::float::{approximate, dyadic};
-use crate::moving::moving_ellipsoids;
+use crate::moving::{moving_ellipsoids, moving_expansion};
 use crate::front::{Front, Sampler};
 use crate::geometry::{Place, area, diameter, extent};
 use crate::plane::PlanePencil;
@@ -221,7 +221,7 @@ impl Work<'_> {
             return Some(Node::Norm);
         }
         let accept = |ellipsoids: &_| self.checker.accepts(&open.polygon, ellipsoids);
-        moving_ellipsoids(self.pencil, &self.places(open), &accept).map(Node::Ellipsoids)
+        moving_ellipsoids(self.pencil, &self.places(open), accept).map(Node::Ellipsoids)
     }
 
     fn refute(&self, open: &Open) -> Option<Node> {
@@ -230,7 +230,11 @@ impl Work<'_> {
             |(_, terms): &&(Inequality, Floats)| places.iter().all(|p| value(terms, *p) <= 0.0);
         let mut likely = self.inequalities.iter().filter(holds);
         let found = likely.find(|(inequality, _)| self.checker.refutes(&open.polygon, inequality));
-        found.map(|(inequality, _)| Node::Word(inequality.clone()))
+        if let Some((inequality, _)) = found {
+            return Some(Node::Word(inequality.clone()));
+        }
+        let accept = |expansion: &_| self.checker.accepts_expansion(&open.polygon, expansion);
+        moving_expansion(self.pencil, &places, accept).map(Node::Expansion)
     }
 
     /// Cuts across the longest diagonal.

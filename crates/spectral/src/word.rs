@@ -52,11 +52,6 @@ impl Word {
         Word(self.rotations().chain([self.0.clone()]).min().unwrap_or_default())
     }
 
-    /// The word with letters so much higher.
-    pub(crate) fn shifted(&self, by: usize) -> Word {
-        Word(self.0.iter().map(|&letter| letter + by as u8).collect())
-    }
-
     /// Whether the second half is the first with `ε` replaced by `m-1-ε`.
     pub(crate) fn is_its_mirror_image(&self, letters: usize) -> bool {
         let (first, second) = self.0.split_at(self.0.len() / 2);

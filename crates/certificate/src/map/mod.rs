@@ -7,19 +7,19 @@
 //! | `polygon` | [`Polygon`], [`Line`]: convex polygons and how they are cut |
 //! | `form` | polynomials in two variables: polar forms, signs on polygons |
 //! | `family` | the symbol, the difference symbol, the matrices on a piece |
-//! | `ellipsoid` | pieces on which ellipsoids prove contraction |
+//! | `quadratic` | pieces on which quadratic forms prove contraction or expansion |
 //! | `positive` | positive definite matrices |
 //! | `inequality` | pieces on which the product along a word has a large eigenvalue |
 //! | `stability` | where shifts may fail to be stable |
 //! | `verify` | [`verify_map`]: all nodes, and what is proved where |
 
-mod ellipsoid;
 mod family;
 mod form;
 mod inequality;
 mod model;
 mod polygon;
 mod positive;
+mod quadratic;
 mod read;
 mod stability;
 mod verify;

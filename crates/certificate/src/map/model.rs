@@ -90,6 +90,9 @@ pub enum Node {
     /// C^n fails wherever the shifts are stable, since the product along a word has a large
     /// eigenvalue; and everywhere if it is so large that the scheme diverges.
     Word(Inequality),
+    /// C^n fails wherever the shifts are stable, and everywhere if `n` is zero, since the product along a
+    /// word does not shrink.
+    Expansion(Expansion),
     /// C^n fails wherever the shifts are stable, but for the common zeros of the remainder of the
     /// division by `σ^(n+1)`.
     Indivisible,
@@ -132,6 +135,19 @@ pub struct Ellipsoids {
     pub memory: u32,
     /// For each corner of the piece, for each word in lexicographic order, the upper triangle, row by
     /// row, of the positive definite `Q`: the ellipsoid is `{x : x x^T ≼ Q}`. Only ratios matter.
+    pub corners: Vec<Vec<Vec<i64>>>,
+}
+
+/// Quadratic forms that move with the point of a piece and show that the product along a word has a
+/// spectral radius of at least one.
+#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Expansion {
+    /// The letters, that applied first first.
+    pub word: String,
+    /// `v` with `v^T P v < 0` for the form before the first letter.
+    pub vector: Vec<i64>,
+    /// For each corner of the piece, for each letter the form `P` before it, the upper triangle row by row.
     pub corners: Vec<Vec<Vec<i64>>>,
 }
 

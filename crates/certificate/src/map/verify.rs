@@ -7,15 +7,15 @@ use refinable_algebra::{Integer, Ordered, Rational};
 
 use crate::error::{Invalid, Part};
 use crate::family::Scheme;
-use crate::map::ellipsoid::Letters;
 use crate::map::family::{PlaneScheme, check_section, parts};
 use crate::map::form::{Form, is_nowhere_positive};
 use crate::map::inequality::{Blocks, polynomial};
 use crate::map::model::{
-    Eigenvalue, Ellipsoids, Inequality, MAP_FORMAT, MapCertificate, Node, PlaneFamily, Section,
+    Eigenvalue, Ellipsoids, Expansion, Inequality, MAP_FORMAT, MapCertificate, Node, PlaneFamily, Section,
     Terms,
 };
 use crate::map::polygon::{Line, Polygon};
+use crate::map::quadratic::Letters;
 use crate::map::stability::is_generic;
 use crate::model::{Conclusion, VERSION};
 use crate::number::Number;
@@ -89,8 +89,12 @@ impl MapChecker {
 
     /// Whether the ellipsoids prove C^n on the closed polygon.
     pub fn accepts(&self, polygon: &Polygon, ellipsoids: &Ellipsoids) -> bool {
-        let letters = self.letters.as_ref();
-        letters.is_some_and(|l| l.check(&self.scheme, polygon, ellipsoids, &mut Work::new()).is_ok())
+        self.check_ellipsoids(polygon, ellipsoids, &mut Work::new()).is_ok()
+    }
+
+    /// Whether the forms refute C^n on the closed polygon, if the shifts are stable.
+    pub fn accepts_expansion(&self, polygon: &Polygon, expansion: &Expansion) -> bool {
+        self.check_expansion(polygon, expansion, &mut Work::new()).is_ok()
     }
 
     /// All inequalities for the blocks of a word with some radii, as polynomials in `x` and `y` that are
@@ -122,6 +126,28 @@ impl MapChecker {
     /// Whether the shifts are stable at a point of the plane for a reason that holds almost everywhere.
     pub fn is_generic(&self, point: &[Rational; 2]) -> bool {
         is_generic(&self.scheme, point, &mut Work::new()).unwrap_or(false)
+    }
+
+    fn letters(&self) -> Check<&Letters> {
+        self.letters.as_ref().map_or_else(|| fail("the continuity is not less than the order"), Ok)
+    }
+
+    fn check_ellipsoids(
+        &self,
+        polygon: &Polygon,
+        ellipsoids: &Ellipsoids,
+        work: &mut Work,
+    ) -> Check<()> {
+        self.letters()?.check_ellipsoids(&self.scheme, polygon, ellipsoids, work)
+    }
+
+    fn check_expansion(
+        &self,
+        polygon: &Polygon,
+        expansion: &Expansion,
+        work: &mut Work,
+    ) -> Check<()> {
+        self.letters()?.check_expansion(&self.scheme, polygon, expansion, work)
     }
 
 }
@@ -287,11 +313,12 @@ impl<'a> Reasons<'a> {
                 Ok(CellVerdict::Proved)
             }
             Node::Ellipsoids(ellipsoids) => {
-                let Some(letters) = &self.checker.letters else {
-                    return fail("the continuity is not less than the order");
-                };
-                letters.check(&self.checker.scheme, polygon, ellipsoids, work)?;
+                self.checker.check_ellipsoids(polygon, ellipsoids, work)?;
                 Ok(CellVerdict::Proved)
+            }
+            Node::Expansion(expansion) => {
+                self.checker.check_expansion(polygon, expansion, work)?;
+                self.refuted(self.checker.continuity > 0)
             }
             Node::Word(inequality) => {
                 let (form, diverges) = &self.inequalities[inequality];
