@@ -12,9 +12,10 @@ const ROUGH: f64 = 0.3;
 /// and at this one at its end.
 const FINE: f64 = 0.02;
 const MOST_STEPS: usize = 60;
-/// How much of the way to the least radius remains after each round. What the later rounds can gain, as
-/// far as is known, is less than what the last one did.
-const REST: f64 = 0.15;
+/// If so much of what the radius is above one remains after a round, words are lengthened.
+const SLOW: f64 = 0.8;
+/// How many steps are tried in a round.
+const TRIALS: usize = 20;
 
 /// The positive definite `Q_s`, one for each word `s` of letters `B`, with `B Q_s B^T ≺ Q_t`, where `t` ends
 /// with `B`, that make `Σ tr Q_s - Σ log det (Q_t - B Q_s B^T)` least. It is an analytic function of the
@@ -72,23 +73,22 @@ struct Jet {
 impl Centre {
     /// The centre for the shortest words for which there are such ellipsoids.
     ///
-    /// Starts where radius one is replaced by a larger one, and lowers it; ellipsoids for short words
-    /// are a start for longer ones.
+    /// Starts where radius one is replaced by a larger one, and follows the centre while the radius is
+    /// lowered; ellipsoids for short words are a start for longer ones.
     pub fn find(letters: &[DMatrix<f64>]) -> Option<Centre> {
         let mut graph = Graph::new(letters, 0);
         let mut ellipsoids = vec![DMatrix::identity(graph.size, graph.size)];
-        let mut least = graph.radius(letters, &ellipsoids)?;
-        let mut radius = 1.05 * least;
-        while least >= 1.0 {
-            graph.centre(letters, radius, &mut ellipsoids, ROUGH)?;
-            least = graph.radius(letters, &ellipsoids)?;
-            if least - 1.0 > radius - least {
+        let mut radius = (1.05 * graph.radius(letters, &ellipsoids)?).max(1.0);
+        while radius > 1.0 {
+            let hessian = graph.centre(letters, radius, &mut ellipsoids, ROUGH)?;
+            let next = graph.lower(letters, radius, &mut ellipsoids, &hessian)?;
+            if next - 1.0 > SLOW * (radius - 1.0) {
                 if graph.memory == MOST_MEMORY {
                     return None;
                 }
                 (graph, ellipsoids) = graph.deeper(letters, &ellipsoids);
             }
-            radius = least + REST * (radius - least);
+            radius = next;
         }
         let hessian = graph.centre(letters, 1.0, &mut ellipsoids, FINE)?;
         Some(Centre { graph, ellipsoids, hessian })
@@ -99,11 +99,19 @@ impl Centre {
         self.graph.memory
     }
 
+    /// The square of the norm of a letter with respect to the ellipsoids: the largest, up to rounding.
+    pub fn radius(&self, letters: &[DMatrix<f64>]) -> f64 {
+        self.graph.radius(letters, &self.ellipsoids).unwrap_or(1.0)
+    }
+
     /// The centre for words that are one letter longer.
     pub fn deeper(&self, letters: &[DMatrix<f64>]) -> Option<Centre> {
+        if self.graph.memory == MOST_MEMORY {
+            return None;
+        }
         let (graph, mut ellipsoids) = self.graph.deeper(letters, &self.ellipsoids);
         let hessian = graph.centre(letters, 1.0, &mut ellipsoids, FINE)?;
-        (graph.memory <= MOST_MEMORY).then_some(Centre { graph, ellipsoids, hessian })
+        Some(Centre { graph, ellipsoids, hessian })
     }
 
     /// The derivative of the centre in a direction, by that of the gradient: half its difference at two
@@ -129,6 +137,35 @@ impl Graph {
             Some((&image * image.transpose()).symmetric_eigenvalues().max())
         };
         self.edges().map(of).try_fold(0.0, |largest: f64, r| Some(largest.max(r?)))
+    }
+
+    /// Moves ellipsoids from the centre for a radius along the tangent of the curve of centres, as far as
+    /// is allowed and at most to radius one; returns the radius there.
+    fn lower(
+        self,
+        letters: &[DMatrix<f64>],
+        radius: f64,
+        ellipsoids: &mut [DMatrix<f64>],
+        hessian: &Cholesky<f64, Dyn>,
+    ) -> Option<f64> {
+        let gradient = |radius: f64| Some(self.jet(letters, radius, ellipsoids)?.gradient);
+        let step = 1e-5 * radius;
+        let change = (gradient(radius + step)? - gradient(radius - step)?) / (2.0 * step);
+        let slope = self.matrices(&-hessian.solve(&change));
+        let moved = |to: f64| -> Vec<DMatrix<f64>> {
+            ellipsoids.iter().zip(&slope).map(|(q, d)| q + d * (to - radius)).collect()
+        };
+        let allowed = |to: &f64| {
+            self.edges().all(|edge| slack(letters, *to, &moved(*to), edge).is_some())
+        };
+        let parts = std::iter::successors(Some(1.0), |part| Some(0.7 * part)).take(TRIALS);
+        let part = parts.map(|part| (part, radius.powf(1.0 - part))).find(|(_, to)| allowed(to));
+        let (part, to) = part?;
+        // Not quite as far as is possible.
+        let to = if part < 1.0 { radius.powf(1.0 - 0.9 * part) } else { to };
+        let next = moved(to);
+        ellipsoids.clone_from_slice(&next);
+        Some(to)
     }
 
     /// Moves ellipsoids to the centre; returns the Hessian there.

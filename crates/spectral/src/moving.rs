@@ -12,18 +12,30 @@ use crate::word::Word;
 
 /// Bits of the largest entry, tried in turn.
 const BITS: [i32; 2] = [20, 34];
+/// What part of the decay of the fastest word is enough for ellipsoids.
+const WELL: f64 = 0.7;
 /// How long the words are that may show expansion.
 const LONGEST_WORD: usize = 5;
 /// The step for derivatives, against the extents of the polygon.
 const STEP: f64 = 1e-4;
 
+/// Why there are no ellipsoids.
+pub(crate) enum Failure {
+    /// None are known even for the middle of the polygon.
+    Nowhere,
+    /// Those at the middle do not reach the corners.
+    TooLarge,
+}
+
 /// Ellipsoids that are accepted, if they are found: those at the middle of the polygon, and at its corners
-/// what their derivatives say.
+/// what their derivatives say. Words are lengthened as long as the ellipsoids shrink much less than the
+/// fastest of the given words does.
 pub(crate) fn moving_ellipsoids(
     pencil: &PlanePencil,
     corners: &[Place],
+    words: &[Word],
     accept: impl Fn(&Ellipsoids) -> bool,
-) -> Option<Ellipsoids> {
+) -> Result<Ellipsoids, Failure> {
     let middle = middle(corners);
     let letters = pencil.letters_at(middle);
     let accepted = |centre: &Centre| {
@@ -33,8 +45,15 @@ pub(crate) fn moving_ellipsoids(
             Some(Ellipsoids { memory: centre.memory(), corners }).filter(&accept)
         })
     };
-    let centre = Centre::find(&letters)?;
-    accepted(&centre).or_else(|| accepted(&centre.deeper(&letters)?))
+    let growth = fastest(&pencil.at(middle), words).1;
+    let mut centre = Centre::find(&letters).ok_or(Failure::Nowhere)?;
+    loop {
+        if let Some(found) = accepted(&centre) {
+            return Ok(found);
+        }
+        let near = 1.0 - centre.radius(&letters) > WELL * (1.0 - growth * growth);
+        centre = centre.deeper(&letters).filter(|_| !near).ok_or(Failure::TooLarge)?;
+    }
 }
 
 /// For each corner the ellipsoids.

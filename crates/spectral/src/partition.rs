@@ -9,7 +9,7 @@ use refinable_algebra::{Polynomial, Rational};
 use refinable_certificate::{Inequality, Line, MapChecker, Node, Number, Polygon, Terms};
 
 use crate::float::{approximate, dyadic};
-use crate::moving::{moving_ellipsoids, moving_expansion};
+use crate::moving::{Failure, moving_ellipsoids, moving_expansion};
 use crate::front::{Front, Sampler};
 use crate::geometry::{Place, area, diameter, extent};
 use crate::plane::PlanePencil;
@@ -78,6 +78,8 @@ const SMALLEST: f64 = 1e-4;
 const SHORT_WORD: usize = 4;
 /// The moduli of eigenvalues that are looked for.
 const RADII: [u64; 4] = [1, 2, 4, 16];
+/// How much less parts of a piece count at the middle of which nothing proves contraction.
+const LITTLE_HOPE: f64 = 0.25;
 /// How far the boundary may stray from a line, against its length, for cuts along it.
 const BULGE: f64 = 0.1;
 /// How far from the boundary cuts are made, against its length and against the depth of the piece.
@@ -105,6 +107,8 @@ struct Open {
     /// Scaled.
     corners: Vec<Place>,
     area: f64,
+    /// What part of its area counts when the next piece is chosen.
+    hope: f64,
 }
 
 /// What becomes of a piece.
@@ -151,7 +155,8 @@ impl Arena {
 
     /// Takes the largest open pieces.
     fn largest(&mut self) -> Vec<(usize, Open)> {
-        self.open.sort_by(|(i, a), (j, b)| b.area.total_cmp(&a.area).then(i.cmp(j)));
+        let urgency = |open: &Open| open.area * open.hope;
+        self.open.sort_by(|(i, a), (j, b)| urgency(b).total_cmp(&urgency(a)).then(i.cmp(j)));
         self.open.drain(..BATCH.min(self.open.len())).collect()
     }
 }
@@ -173,20 +178,26 @@ impl Work<'_> {
         let middle = corners.iter().map(|p| p[0]).sum::<f64>() / corners.len() as f64;
         let density = self.factor.map_or(1.0, |[c, d]| (c + d * middle * self.scale[0]).abs());
         let area = area(&corners) / density.max(f64::MIN_POSITIVE);
-        Open { polygon, corners, area }
+        Open { polygon, corners, area, hope: 1.0 }
     }
 
     /// Decides a piece, or cuts it.
     fn step(&self, open: &Open) -> Piece {
         let decided = match self.sampler.crossings(&open.corners) {
             Ok(true) => self.prove(open),
-            Ok(false) => self.refute(open),
+            Ok(false) => self.refute(open).ok_or(1.0),
             Err(ends) => {
                 let front = ends.and_then(|ends| self.sampler.front(&open.corners, ends));
-                return front.map_or_else(|| self.halve(open), |front| self.along(open, &front));
+                return match front {
+                    Some(front) => self.along(open, &front),
+                    None => self.halve(open, open.hope),
+                };
             }
         };
-        decided.map_or_else(|| self.halve(open), |node| Piece::Done(node, open.area))
+        match decided {
+            Ok(node) => Piece::Done(node, open.area),
+            Err(hope) => self.halve(open, hope * open.hope),
+        }
     }
 
     /// Cuts along both sides of the boundary, or across it where it is not straight enough.
@@ -194,12 +205,12 @@ impl Work<'_> {
         let Front { normal, low, high, length, middle } = *front;
         if high - low > BULGE * length {
             let across = [-normal[1], normal[0]];
-            return self.cut(open, across, middle);
+            return self.cut(open, across, middle, open.hope);
         }
         let (bottom, top) = extent(&open.corners, normal);
         let margin = (MARGINS[0] * length).min(MARGINS[1] * (top - bottom)) + 0.1 * (high - low);
         let inner = self.parts(&open.polygon, normal, low - margin);
-        let Some((line, [Some(inside), Some(beyond)])) = inner else { return self.halve(open) };
+        let Some((line, [Some(inside), Some(beyond)])) = inner else { return self.halve(open, open.hope) };
         let beyond = match self.parts(&beyond, normal, high + margin) {
             Some((line, [Some(strip), Some(outside)])) => {
                 let outside = decided_or_open(self.open(outside), |open| self.refute(open));
@@ -207,7 +218,7 @@ impl Work<'_> {
             }
             _ => Piece::Open(self.open(beyond)),
         };
-        let inside = decided_or_open(self.open(inside), |open| self.prove(open));
+        let inside = decided_or_open(self.open(inside), |open| self.prove(open).ok());
         Piece::Cut(line, Box::new([inside, beyond]))
     }
 
@@ -216,12 +227,18 @@ impl Work<'_> {
         open.corners.iter().map(|p| [0, 1].map(|i| p[i] * self.scale[i])).collect()
     }
 
-    fn prove(&self, open: &Open) -> Option<Node> {
+    /// What proves contraction, or the hope that is left for the parts.
+    fn prove(&self, open: &Open) -> Result<Node, f64> {
         if self.checker.has_small_norm(&open.polygon) {
-            return Some(Node::Norm);
+            return Ok(Node::Norm);
         }
         let accept = |ellipsoids: &_| self.checker.accepts(&open.polygon, ellipsoids);
-        moving_ellipsoids(self.pencil, &self.places(open), accept).map(Node::Ellipsoids)
+        let found =
+            moving_ellipsoids(self.pencil, &self.places(open), &self.sampler.words, accept);
+        found.map(Node::Ellipsoids).map_err(|failure| match failure {
+            Failure::TooLarge => 1.0,
+            Failure::Nowhere => LITTLE_HOPE,
+        })
     }
 
     fn refute(&self, open: &Open) -> Option<Node> {
@@ -238,19 +255,20 @@ impl Work<'_> {
     }
 
     /// Cuts across the longest diagonal.
-    fn halve(&self, open: &Open) -> Piece {
+    fn halve(&self, open: &Open, hope: f64) -> Piece {
         let [p, q] = diameter(&open.corners);
         let length = (q[0] - p[0]).hypot(q[1] - p[1]);
         // A rough direction, so that numbers stay short.
         let across = [0, 1].map(|i| ((q[i] - p[i]) / length * 8.0).round() / 8.0);
         let (low, high) = extent(&open.corners, across);
-        self.cut(open, across, 0.5 * (low + high))
+        self.cut(open, across, 0.5 * (low + high), hope)
     }
 
-    fn cut(&self, open: &Open, normal: Place, at: f64) -> Piece {
+    fn cut(&self, open: &Open, normal: Place, at: f64, hope: f64) -> Piece {
         match self.parts(&open.polygon, normal, at) {
             Some((line, [Some(below), Some(above)])) => {
-                let parts = [below, above].map(|part| Piece::Open(self.open(part)));
+                let parts = [below, above];
+                let parts = parts.map(|part| Piece::Open(Open { hope, ..self.open(part) }));
                 Piece::Cut(line, Box::new(parts))
             }
             // Too small for the numbers in use.
