@@ -58,8 +58,8 @@ pub enum Command {
         /// of steps; prints CSV unless another format is asked for
         #[arg(long, value_name = "NAME=FROM..TO[:STEPS]", allow_hyphen_values = true)]
         sweep: Option<String>,
-        /// Write the sweep as a picture
-        #[arg(long, short, value_name = "FILE.svg", requires = "sweep")]
+        /// Write the sweep as a picture, SVG or PNG
+        #[arg(long, short, value_name = "FILE", requires = "sweep")]
         output: Option<PathBuf>,
         #[command(flatten)]
         format: FormatArgument,
@@ -224,8 +224,8 @@ pub struct MapArguments {
 /// What to draw.
 #[derive(Args, Clone, Debug)]
 pub struct DrawingArguments {
-    /// Write the map as a picture
-    #[arg(long, short, value_name = "FILE.svg")]
+    /// Write the map as a picture, SVG or PNG
+    #[arg(long, short, value_name = "FILE")]
     pub output: Option<PathBuf>,
     /// Draw a curve over the map, 'beta=(8*alpha-1)/(16*(1-alpha))'; repeatable
     #[arg(long = "curve", value_name = "NAME=EXPRESSION", requires = "output")]

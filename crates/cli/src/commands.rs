@@ -22,6 +22,7 @@ use crate::arguments::{
     SchemeArguments, What,
 };
 use crate::failure::Failure;
+use crate::files::Image;
 use crate::{files, output, scanning};
 
 /// Runs the command that was typed.
@@ -50,10 +51,11 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
             output::print(&document, format.format)?;
         }
         Command::Regularity { scheme, sweep: Some(sweep), output, format } => {
+            let picture = picture(output.as_deref())?;
             let scheme = resolve(scheme)?;
             let sweep = Sweep::new(&scheme, sweep, &Options::default())?;
-            if let Some(path) = output {
-                files::write_file(path, &sweep.picture())?;
+            if let Some((path, image)) = picture {
+                image.write(path, &sweep.picture())?;
             }
             output::print(&sweep.document(), format.format)?;
         }
@@ -63,14 +65,16 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
             output::print(&regularity_table(&scheme, &found), format.format)?;
         }
         Command::Map { scheme, map, drawing, certificate, format } => {
+            let picture = picture(drawing.output.as_deref())?;
             let fineness = fineness(map)?;
             let scheme = resolve(scheme)?;
             let maps = Maps::new(&scheme, &map.continuity, map.window.as_deref(), &fineness)?;
-            if let Some(path) = &drawing.output {
-                files::write_file(path, &maps.picture(&drawing.curves, &drawing.marks)?)?;
+            if let Some((path, image)) = picture {
+                image.write(path, &maps.picture(&drawing.curves, &drawing.marks)?)?;
             }
             if let Some(path) = certificate {
-                files::write_file(path, &format!("{}\n", only_map(&maps)?.certificate.to_json()))?;
+                let text = format!("{}\n", only_map(&maps)?.certificate.to_json());
+                files::write_file(path, text.as_bytes())?;
             }
             output::print(&maps.document(), format.format)?;
         }
@@ -96,7 +100,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
             let certificate = certify(&resolve(scheme)?, *continuity)?;
             let text = format!("{}\n", certificate.to_json());
             match output {
-                Some(path) => files::write_file(path, &text)?,
+                Some(path) => files::write_file(path, text.as_bytes())?,
                 None => output::print_text(&text)?,
             }
         }
@@ -127,6 +131,11 @@ fn resolve(arguments: &SchemeArguments) -> Result<Scheme, Failure> {
         substitutions.push(Substitution::parse(text)?);
     }
     Ok(Scheme::resolve_with(&arguments.scheme, arguments.arity as usize, &substitutions)?)
+}
+
+/// Where a picture goes, and how: asked before work that takes long.
+fn picture(path: Option<&Path>) -> Result<Option<(&Path, Image)>, Failure> {
+    path.map(|path| Ok((path, Image::of(path)?))).transpose()
 }
 
 fn fineness(arguments: &MapArguments) -> Result<Fineness, Failure> {

@@ -6,7 +6,7 @@ use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
 
 use refinable_certificate::Certificate;
-use refinable_report::{CertificateStore, Site};
+use refinable_report::{CertificateStore, Site, png};
 use tempfile::NamedTempFile;
 
 use crate::failure::Failure;
@@ -17,8 +17,15 @@ use crate::failure::Failure;
 /// # Errors
 /// A directory or file that cannot be written; then no file has changed.
 pub fn write_site(dir: &Path, site: &Site) -> Result<(), Failure> {
+    write_all(dir, site.iter().map(|(name, text)| (name.as_str(), text.as_bytes())))
+}
+
+fn write_all<'a>(
+    dir: &Path,
+    files: impl Iterator<Item = (&'a str, &'a [u8])>,
+) -> Result<(), Failure> {
     let mut staged: Vec<(NamedTempFile, PathBuf)> = Vec::new();
-    for (name, text) in site {
+    for (name, bytes) in files {
         let path = dir.join(name);
         if path.is_dir() {
             let hint = "move the directory away, or choose another place for the report";
@@ -28,7 +35,7 @@ pub fn write_site(dir: &Path, site: &Site) -> Result<(), Failure> {
         let parent = path.parent().unwrap_or(dir);
         fs::create_dir_all(parent).map_err(|error| Failure::file(parent, &error))?;
         let mut file = NamedTempFile::new_in(parent).map_err(|e| Failure::file(parent, &e))?;
-        file.write_all(text.as_bytes()).map_err(|error| Failure::file(&path, &error))?;
+        file.write_all(bytes).map_err(|error| Failure::file(&path, &error))?;
         file.as_file().sync_all().map_err(|error| Failure::file(&path, &error))?;
         staged.push((file, path));
     }
@@ -115,7 +122,7 @@ fn first_difference(name: &str, found: &str, expected: &str) -> String {
 ///
 /// # Errors
 /// A place that cannot be written.
-pub fn write_file(path: &Path, text: &str) -> Result<(), Failure> {
+pub fn write_file(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     let name = path.file_name().map(|name| name.to_string_lossy().into_owned());
     let Some(name) = name else {
         let hint = "name a file, not a directory";
@@ -126,7 +133,45 @@ pub fn write_file(path: &Path, text: &str) -> Result<(), Failure> {
         let hint = "make the directory first";
         return Err(Failure::new("file", format!("{} is no directory", dir.display()), hint));
     }
-    write_site(dir, &Site::from([(name, text.to_string())]))
+    write_all(dir, std::iter::once((name.as_str(), bytes)))
+}
+
+/// The format of a picture, told by the end of its name.
+#[derive(Clone, Copy, Debug)]
+pub enum Image {
+    /// `.svg`
+    Svg,
+    /// `.png`
+    Png,
+}
+
+impl Image {
+    /// The format of the picture to be written there.
+    ///
+    /// # Errors
+    /// Any other end.
+    pub fn of(path: &Path) -> Result<Image, Failure> {
+        let end = path.extension().map(|end| end.to_string_lossy().to_lowercase());
+        match end.as_deref() {
+            Some("svg") => Ok(Image::Svg),
+            Some("png") => Ok(Image::Png),
+            _ => {
+                let message = format!("{} does not end in .svg or .png", path.display());
+                Err(Failure::new("picture", message, "pictures are written as SVG or PNG"))
+            }
+        }
+    }
+
+    /// Writes a picture, whole or not at all.
+    ///
+    /// # Errors
+    /// A place that cannot be written.
+    pub fn write(self, path: &Path, svg: &str) -> Result<(), Failure> {
+        match self {
+            Image::Svg => write_file(path, svg.as_bytes()),
+            Image::Png => write_file(path, &png(svg)),
+        }
+    }
 }
 
 /// The contents of a file that may come from a stranger: no more than a checker reads.

@@ -105,7 +105,7 @@ fn begun(
         let hint = "continue it with --resume, or remove it";
         return Err(Failure::new("resume", message, hint));
     }
-    files::write_file(note, signature)?;
+    files::write_file(note, signature.as_bytes())?;
     let mut file = File::create_new(part).map_err(|error| Failure::file(part, &error))?;
     if !json {
         file.write_all(scan.header().as_bytes()).map_err(|error| Failure::file(part, &error))?;

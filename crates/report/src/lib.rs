@@ -7,7 +7,7 @@
 //! | `show`, `degrees`, `range`, `sharp`, `regularity`, `norm` | one document for each analysis |
 //! | `map`, `map_picture` | [`Maps`]: orders of continuity over two parameters, as data and as SVG |
 //! | `scan` | [`Scan`]: a quantity at every point of a grid |
-//! | `svg` | what pictures have in common |
+//! | `svg`, `raster` | what pictures have in common; from SVG to pixels |
 //! | `picture` | claimed against proved ranges as SVG |
 //! | `audit` | [`Audit`]: the verdict on every cell of a paper's tables |
 //! | `site` | the files of a report directory |
@@ -25,6 +25,7 @@ mod norm;
 mod number;
 mod picture;
 mod range;
+mod raster;
 mod regularity;
 mod scan;
 mod sharp;
@@ -39,6 +40,7 @@ pub use grid::{Cell, Document, Grid};
 pub use map::Maps;
 pub use norm::norm_table;
 pub use range::range_table;
+pub use raster::png;
 pub use regularity::{outward, regularity_table};
 pub use scan::{Quantity, Scan};
 pub use sharp::{proof_text, sharp_range, sharp_range_table, statement};
