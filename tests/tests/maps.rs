@@ -8,7 +8,9 @@ use refinable_analysis::{
     Fineness, Map, MapVerdict, Plane, PointVerdict, Sharpness, Window, continuity_at,
     continuity_range, map,
 };
-use refinable_certificate::{CellVerdict, MapCertificate, Node, Number, verify_map};
+use refinable_certificate::{
+    CellVerdict, Ellipsoids, Expansion, MapCertificate, Node, Number, verify_map,
+};
 use refinable_reals::RealAlgebraic;
 use refinable_scheme::{Scheme, Substitution};
 
@@ -281,13 +283,13 @@ fn changed_maps_do_not_hold() {
         });
     }
     let words = places(|n| matches!(n, Node::Word(_)));
-    let polytopes = places(|n| matches!(n, Node::Polytope(_)));
-    assert!(words.len() > 5 && polytopes.len() > 5);
+    let proofs = places(|n| matches!(n, Node::Ellipsoids(_)));
+    assert!(words.len() > 5 && proofs.len() > 5);
     // What is proved is not refuted, and the other way round.
-    fails(&|m| m.nodes[words[0]] = m.nodes[polytopes[0]].clone());
-    fails(&|m| m.nodes[polytopes[0]] = m.nodes[words[0]].clone());
+    fails(&|m| m.nodes[words[0]] = m.nodes[proofs[0]].clone());
+    fails(&|m| m.nodes[proofs[0]] = m.nodes[words[0]].clone());
     fails(&|m| m.nodes[words[0]] = Node::Norm);
-    fails(&|m| m.nodes[polytopes[0]] = Node::Indivisible);
+    fails(&|m| m.nodes[proofs[0]] = Node::Indivisible);
     for &i in &words {
         fails(&|m| {
             if let Node::Word(inequality) = &mut m.nodes[i] {
@@ -300,33 +302,58 @@ fn changed_maps_do_not_hold() {
             }
         });
     }
-    for &i in polytopes.iter().take(10) {
-        fails(&|m| {
-            if let Node::Polytope(p) = &mut m.nodes[i] {
-                p.vertices[0][0] = 1 << 40;
-            }
-        });
-        fails(&|m| {
-            if let Node::Polytope(p) = &mut m.nodes[i] {
-                p.images[0][0][0].1 += 1 << p.weight_bits;
-            }
-        });
-        fails(&|m| {
-            if let Node::Polytope(p) = &mut m.nodes[i] {
-                p.images[0].pop();
-            }
-        });
-        fails(&|m| {
-            if let Node::Polytope(p) = &mut m.nodes[i] {
-                p.units[0].clear();
-            }
-        });
-        fails(&|m| {
-            if let Node::Polytope(p) = &mut m.nodes[i] {
-                p.images[0][0][0].0 = 100_000;
-            }
-        });
+    for &i in proofs.iter().take(10) {
+        let fails = |change: &dyn Fn(&mut Ellipsoids)| {
+            fails(&|m| {
+                if let Node::Ellipsoids(ellipsoids) = &mut m.nodes[i] {
+                    change(ellipsoids);
+                }
+            });
+        };
+        fails(&|e| e.corners[0][0][0] *= -1);
+        fails(&|e| e.corners[0][0][0] = 1 << 35);
+        fails(&|e| e.corners[0][0][1] = 1 << 40);
+        fails(&|e| e.corners[0][0][0] = i64::MIN);
+        fails(&|e| e.corners[0][0].iter_mut().for_each(|x| *x = 0));
+        fails(&|e| e.corners.iter_mut().flatten().flatten().for_each(|x| *x = -*x));
+        fails(&|e| e.memory += 1);
+        fails(&|e| e.memory = u32::MAX);
+        fails(&|e| drop(e.corners.pop()));
+        fails(&|e| drop(e.corners[0].pop()));
+        fails(&|e| drop(e.corners[0][0].pop()));
     }
+}
+
+/// In a corner of the map of C^5 of `a7` a complex pair of a product of eight rows is large: no inequality
+/// of a low degree tells, but quadratic forms do. And memory is needed beside it.
+#[test]
+fn complex_pairs_refute_and_are_met() {
+    let window = [[(79, 5000), (83, 5000)], [(3, 500), (7, 1000)]];
+    let family = scheme("a7");
+    let fineness = Fineness { undecided: rational(1, 50), nodes: 1500 };
+    let map = map("a7", family.mask(), 5, &self::window(window), &fineness).unwrap();
+    assert!(undecided_part(&map) < rational(1, 5), "{}", undecided_part(&map));
+    agrees_with_single_values("a7", &map, 20);
+    let certificate = &map.certificate;
+    let expands = |node: &Node| matches!(node, Node::Expansion(_));
+    let remembers = |node: &Node| matches!(node, Node::Ellipsoids(e) if e.memory > 0);
+    assert!(certificate.nodes.iter().any(remembers));
+    let at = certificate.nodes.iter().position(expands).unwrap();
+    let fails = |change: &dyn Fn(&mut Expansion)| {
+        let mut changed = certificate.clone();
+        let Node::Expansion(expansion) = &mut changed.nodes[at] else { panic!("an expansion") };
+        change(expansion);
+        assert!(changed != *certificate && verify_map(&changed).is_err());
+    };
+    fails(&|e| e.vector.iter_mut().for_each(|x| *x = 0));
+    fails(&|e| e.vector[0] = i64::MIN);
+    fails(&|e| drop(e.vector.pop()));
+    fails(&|e| e.corners[0][0][0] += 1 << 35);
+    fails(&|e| e.corners.iter_mut().flatten().flatten().for_each(|x| *x = -*x));
+    fails(&|e| drop(e.corners.pop()));
+    fails(&|e| e.word.clear());
+    fails(&|e| e.word = "4".into());
+    fails(&|e| e.word.push('0'));
 }
 
 /// Pieces have straight edges in `(x, y)`, but their areas are meant in the parameters.

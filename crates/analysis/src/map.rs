@@ -53,7 +53,7 @@ pub struct Fineness {
 }
 
 impl Default for Fineness {
-    /// A hundred and sixtieth part, but for a minute of work at the most and some ten megabytes.
+    /// A hundred and sixtieth part, but for a minute of work at the most and a few megabytes.
     fn default() -> Self {
         Fineness { undecided: rational(1, 160), nodes: 8000 }
     }
@@ -97,8 +97,8 @@ fn bound(plane: &Plane, order: usize, continuity: usize) -> Rational {
 /// the proof does not hold or the family is too large for it.
 ///
 /// # Source
-/// Convexity: what maps a polytope into its interior at the corners of a convex piece of a plane of
-/// matrices does so everywhere on it. The rest is in `docs/certificates.md`.
+/// Path-complete graphs of ellipsoids (Ahmadi, Jungers, Parrilo and Roozbehani 2014) that move with the
+/// point; the proofs are in `docs/certificates.md`.
 pub fn map(
     name: &str,
     mask: &Normalised,

@@ -12,6 +12,8 @@ use crate::word::Word;
 
 /// Bits of the largest entry, tried in turn.
 const BITS: [i32; 2] = [20, 34];
+/// How much faster than the fastest word ellipsoids may grow that measure expansion.
+const FASTER: f64 = 1.2;
 /// What part of the decay of the fastest word is enough for ellipsoids.
 const WELL: f64 = 0.7;
 /// How long the words are that may show expansion.
@@ -84,7 +86,8 @@ fn tangent(
 }
 
 /// Forms for the fastest word in the middle of the polygon that are accepted, if they are found: at each
-/// corner those with `P' - B P B^T = 1` for each letter.
+/// corner those with `P' - B P B^T = W'` for each letter, where the ellipsoids `W` grow in the middle
+/// hardly faster than the word does.
 pub(crate) fn moving_expansion(
     pencil: &PlanePencil,
     corners: &[Place],
@@ -96,10 +99,14 @@ pub(crate) fn moving_expansion(
     if growth <= 1.0 {
         return None;
     }
-    let falling = growing_forms(&middle, word)?[0].clone().symmetric_eigen();
+    let size = middle[0].nrows();
+    let units = vec![DMatrix::identity(size, size); word.letters().len()];
+    let slower: Vec<DMatrix<f64>> = middle.iter().map(|b| b / (FASTER * growth)).collect();
+    let rests = stein(&slower, word, &units)?;
+    let falling = stein(&middle, word, &rests)?[0].clone().symmetric_eigen();
     let (least, _) = falling.eigenvalues.argmin();
     let vector = falling.eigenvectors.column(least) * 2f64.powi(BITS[0]);
-    let at = |corner: &Place| growing_forms(&pencil.letters_at(*corner), word);
+    let at = |corner: &Place| stein(&pencil.letters_at(*corner), word, &rests);
     let at_corners: Vec<Vec<DMatrix<f64>>> = corners.iter().map(at).collect::<Option<_>>()?;
     BITS.iter().find_map(|&bits| {
         let vector = vector.iter().map(|x| x.round() as i64).collect();
@@ -108,22 +115,25 @@ pub(crate) fn moving_expansion(
     })
 }
 
-/// The solutions of Stein's equations `P_{i+1} = B P_i B^T + 1` along a closed word.
-fn growing_forms(letters: &[DMatrix<f64>], word: &Word) -> Option<Vec<DMatrix<f64>>> {
+/// The solutions of Stein's equations `P' = B P B^T + W'` around a word.
+fn stein(
+    letters: &[DMatrix<f64>],
+    word: &Word,
+    rests: &[DMatrix<f64>],
+) -> Option<Vec<DMatrix<f64>>> {
     let size = letters[0].nrows();
-    let next = |form: &DMatrix<f64>, letter: u8| {
-        let b = &letters[usize::from(letter)];
-        b * form * b.transpose() + DMatrix::identity(size, size)
+    let after = |form: &DMatrix<f64>, place: usize| {
+        let b = &letters[usize::from(word.letters()[place])];
+        b * form * b.transpose() + &rests[(place + 1) % rests.len()]
     };
-    let rest = word.letters().iter().fold(DMatrix::zeros(size, size), |p, &l| next(&p, l));
+    let rest = (0..rests.len()).fold(DMatrix::zeros(size, size), |p, place| after(&p, place));
     let mut right = DVector::zeros(coordinates(size));
     add_vector(&mut right, 0, 1.0, &rest);
     let mut matrix = DMatrix::identity(right.len(), right.len());
     add_square(&mut matrix, [0, 0], -1.0, &product(letters, word));
     let first = symmetric(matrix.lu().solve(&right)?.as_slice(), size);
-    let (_, others) = word.letters().split_last()?;
-    let forms = others.iter().scan(first.clone(), |form, &letter| {
-        *form = next(form, letter);
+    let forms = (1..rests.len()).scan(first.clone(), |form, place| {
+        *form = after(form, place - 1);
         Some(form.clone())
     });
     Some(std::iter::once(first).chain(forms).collect())

@@ -29,8 +29,8 @@ pub struct Effort {
 /// `y/l(x)`.
 ///
 /// # Cost
-/// One polytope or a few for each piece; a boundary along which real eigenvalues lead takes few pieces,
-/// one along which a complex pair does takes many.
+/// A convex program of some dozen unknowns for each piece, whose length near the boundary is about the square
+/// root of its distance.
 pub fn partition(
     pencil: &PlanePencil,
     checker: &MapChecker,
