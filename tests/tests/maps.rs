@@ -5,8 +5,8 @@ use refinable_algebra::{
     Parameter, ParameterFraction, ParameterPolynomial, Rational, Ring, decimal, rational,
 };
 use refinable_analysis::{
-    Fineness, Map, MapVerdict, Plane, PointVerdict, Sharpness, Window, continuity_at,
-    continuity_range, map,
+    Fineness, Locus, Map, MapVerdict, Plane, PointVerdict, Sharpness, Window, continuity_at,
+    continuity_range, landscape, map,
 };
 use refinable_certificate::{
     CellVerdict, Ellipsoids, Expansion, MapCertificate, Node, Number, verify_map,
@@ -354,6 +354,35 @@ fn complex_pairs_refute_and_are_met() {
     fails(&|e| e.word.clear());
     fails(&|e| e.word = "4".into());
     fails(&|e| e.word.push('0'));
+}
+
+/// The smoothest `S_{a3}` is the quintic B-spline, at one point; on the line where σ³ divides, the next.
+#[test]
+fn the_smoothest_a3_is_a_b_spline() {
+    let family = scheme("a3");
+    let window = window([[(-3, 8), (1, 1)], [(-7, 8), (9, 4)]]);
+    let found = landscape("a3", family.mask(), &window, [12, 9]).unwrap();
+    let at = |locus: fn(&Locus) -> bool| found.summits.iter().find(|s| locus(&s.locus)).unwrap();
+    let point = at(|l| *l == Locus::Point);
+    assert_eq!(point.parameters, [rational(3, 16), rational(1, 26)]);
+    let values = found.plane.parameters().iter().zip(&point.parameters);
+    let substitutions = values.map(|(p, x)| {
+        let value = ParameterFraction::from(ParameterPolynomial::constant(x.clone()));
+        Substitution::new(p.clone(), value)
+    });
+    let member = family.with(&substitutions.collect::<Vec<_>>()).unwrap();
+    let spline = scheme("bspline5");
+    assert_eq!(member.mask().numerator().coefficients(), spline.mask().numerator().coefficients());
+    assert_eq!([&point.regularity.lower, &point.regularity.upper], [&rational(5, 1); 2]);
+    assert_eq!(found.highest().unwrap().parameters, point.parameters);
+    let line = at(|l| matches!(l, Locus::Line(..)));
+    assert!(line.regularity.lower >= rational(4, 1) && line.regularity.divided_order > 3);
+    let plane = at(|l| *l == Locus::Plane);
+    assert!(plane.regularity.lower <= plane.regularity.upper && plane.regularity.stable);
+    // No word of the picture decays faster than what is proved at the summit allows.
+    let highest = found.exponents.iter().max().unwrap();
+    assert_eq!(found.exponents.len(), 108);
+    assert!(*highest <= &plane.regularity.upper + rational(1, 100), "{highest}");
 }
 
 /// Pieces have straight edges in `(x, y)`, but their areas are meant in the parameters.

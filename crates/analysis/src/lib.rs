@@ -13,6 +13,7 @@
 //! | `plane` | [`Plane`]: families of two parameters, as planes of masks |
 //! | `level_one` | the polygon that norms at level one prove, of a [`Plane`] |
 //! | `map` | [`Map`]: where in a box of two parameters C^n holds and fails, with the certificate |
+//! | `landscape` | [`Landscape`]: the Hölder exponent over two parameters, and the smoothest members |
 //! | `stability` | where smoothness follows contraction; reduced masks |
 //! | `continuity`, `proof` | [`ContinuityRange`]: where C^n holds and fails, with the certificate |
 //! | `regularity` | [`Regularity`]: the Hölder exponent of one scheme |
@@ -25,6 +26,7 @@ mod continuity;
 mod contractivity;
 mod degrees;
 mod difference;
+mod landscape;
 mod level_one;
 mod line;
 mod map;
@@ -48,6 +50,7 @@ pub use continuity::{
 pub use contractivity::{NormRange, Work, norm_range, norm_values};
 pub use degrees::{Degrees, GenerationDegree, ReproductionDegree, Stratum, degrees};
 pub use difference::{ClearedSymbol, DifferenceSymbol};
+pub use landscape::{Landscape, Locus, Summit, landscape, smooth_window};
 pub use line::Line;
 pub use map::{Area, Fineness, Map, MapVerdict, default_window, map};
 pub use norm::{Comparison, Norm, NormRow};

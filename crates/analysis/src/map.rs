@@ -151,7 +151,7 @@ fn invalid(invalid: refinable_certificate::Invalid) -> Diagnostic {
     Diagnostic::new("certificate", format!("the certificate does not hold: {invalid}"))
 }
 
-fn check_window([u, v]: &Window) -> Result<(), Diagnostic> {
+pub(crate) fn check_window([u, v]: &Window) -> Result<(), Diagnostic> {
     for [low, high] in [u, v] {
         if low >= high {
             let message = format!("the box is empty: {low} is not less than {high}");
@@ -201,7 +201,7 @@ type Form = Polynomial<Polynomial<Rational>>;
 
 /// The line or point where affine polynomials in `x` and `y` vanish together: a point of it, and how it
 /// goes on.
-fn common_line(conditions: &[Form]) -> Option<([Rational; 2], [Rational; 2])> {
+pub(crate) fn common_line(conditions: &[Form]) -> Option<([Rational; 2], [Rational; 2])> {
     let rows: Vec<[Rational; 3]> = conditions
         .iter()
         .map(|c| {

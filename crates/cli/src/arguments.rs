@@ -64,7 +64,8 @@ pub enum Command {
         #[command(flatten)]
         format: FormatArgument,
     },
-    /// Where C^n holds over two parameters and where it fails, proved piece by piece
+    /// Where C^n holds over two parameters and where it fails, proved piece by piece; or how the Hölder
+    /// exponent runs, with --what holder
     Map {
         #[command(flatten)]
         scheme: SchemeArguments,
@@ -207,9 +208,12 @@ pub struct SchemeArguments {
 /// Which map, and how fine.
 #[derive(Args, Clone, Debug)]
 pub struct MapArguments {
+    /// What to map
+    #[arg(long, value_enum, default_value_t = Mapped::Continuity)]
+    pub what: Mapped,
     /// The order n of C^n, or several: 2, 0..5
     #[arg(long, short = 'n', value_name = "N[..M]")]
-    pub continuity: String,
+    pub continuity: Option<String>,
     /// The box, 'alpha=-1/4..3/4,beta=-1/2..1/2'; one that shows the set if left out
     #[arg(long = "box", value_name = "BOX", allow_hyphen_values = true)]
     pub window: Option<String>,
@@ -233,6 +237,15 @@ pub struct DrawingArguments {
     /// Mark a point of the map, 'alpha=1/10,beta=-49/1152'; repeatable
     #[arg(long = "mark", value_name = "POINT", requires = "output")]
     pub marks: Vec<String>,
+}
+
+/// What a map shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Mapped {
+    /// Where C^n is proved and refuted
+    Continuity,
+    /// The Hölder exponent, approximately, and the smoothest members, proved
+    Holder,
 }
 
 /// What a scan finds.

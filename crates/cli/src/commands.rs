@@ -11,14 +11,14 @@ use refinable_analysis::{Budget, Fineness, Map, Options, Sharpness, continuity_a
 use refinable_certificate::{Certificate, MAP_FORMAT, MapCertificate, verify, verify_map};
 use refinable_papers::{Claims, Paper, Table};
 use refinable_report::{
-    Audit, CERTIFICATES, CertificateStore, Effort, Maps, Quantity, Scan, Site, Sweep, degree_table,
-    norm_table, proof_text, range_table, regularity_table, report_site, sharp_range,
+    Audit, CERTIFICATES, CertificateStore, Effort, HolderMap, Maps, Quantity, Scan, Site, Sweep,
+    degree_table, norm_table, proof_text, range_table, regularity_table, report_site, sharp_range,
     sharp_range_table, show,
 };
 use refinable_scheme::{Scheme, Substitution};
 
 use crate::arguments::{
-    Arguments, AuditArguments, Command, Format, FormatArgument, MapArguments, ReportAction,
+    Arguments, AuditArguments, Command, Format, FormatArgument, MapArguments, Mapped, ReportAction,
     SchemeArguments, What,
 };
 use crate::failure::Failure;
@@ -64,11 +64,20 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
             let found = regularity(scheme.name(), scheme.mask(), &Options::default())?;
             output::print(&regularity_table(&scheme, &found), format.format)?;
         }
+        Command::Map { scheme, map, drawing, format, .. } if map.what == Mapped::Holder => {
+            let picture = picture(drawing.output.as_deref())?;
+            let holder = HolderMap::new(&resolve(scheme)?, map.window.as_deref())?;
+            if let Some((path, image)) = picture {
+                image.write(path, &holder.picture())?;
+            }
+            output::print(&holder.document(), format.format)?;
+        }
         Command::Map { scheme, map, drawing, certificate, format } => {
             let picture = picture(drawing.output.as_deref())?;
             let fineness = fineness(map)?;
             let scheme = resolve(scheme)?;
-            let maps = Maps::new(&scheme, &map.continuity, map.window.as_deref(), &fineness)?;
+            let orders = orders(map)?;
+            let maps = Maps::new(&scheme, orders, map.window.as_deref(), &fineness)?;
             if let Some((path, image)) = picture {
                 image.write(path, &maps.picture(&drawing.curves, &drawing.marks)?)?;
             }
@@ -136,6 +145,13 @@ fn resolve(arguments: &SchemeArguments) -> Result<Scheme, Failure> {
 /// Where a picture goes, and how: asked before work that takes long.
 fn picture(path: Option<&Path>) -> Result<Option<(&Path, Image)>, Failure> {
     path.map(|path| Ok((path, Image::of(path)?))).transpose()
+}
+
+fn orders(arguments: &MapArguments) -> Result<&str, Failure> {
+    arguments.continuity.as_deref().ok_or_else(|| {
+        let hint = "for example --continuity 2 or --continuity 0..5";
+        Failure::new("continuity", "which C^n is to be mapped?", hint)
+    })
 }
 
 fn fineness(arguments: &MapArguments) -> Result<Fineness, Failure> {

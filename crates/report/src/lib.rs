@@ -6,8 +6,9 @@
 //! | `latex`, `number` | exact quantities as LaTeX and as JSON |
 //! | `show`, `degrees`, `range`, `sharp`, `regularity`, `norm` | one document for each analysis |
 //! | `map`, `map_picture` | [`Maps`]: orders of continuity over two parameters, as data and as SVG |
+//! | `landscape` | [`HolderMap`]: the Hölder exponent over two parameters, as data and as SVG |
 //! | `scan` | [`Scan`]: a quantity at every point of a grid |
-//! | `svg`, `raster` | what pictures have in common; from SVG to pixels |
+//! | `svg`, `frame`, `raster` | what pictures have in common; from SVG to pixels |
 //! | `picture` | claimed against proved ranges as SVG |
 //! | `audit` | [`Audit`]: the verdict on every cell of a paper's tables |
 //! | `site` | the files of a report directory |
@@ -17,7 +18,9 @@
 
 mod audit;
 mod degrees;
+mod frame;
 mod grid;
+mod landscape;
 mod latex;
 mod map;
 mod map_picture;
@@ -37,6 +40,7 @@ mod sweep;
 pub use audit::{Agreement, Audit, AuditedCell, AuditedTable, CertificateStore, Effort, Ranges};
 pub use degrees::degree_table;
 pub use grid::{Cell, Document, Grid};
+pub use landscape::HolderMap;
 pub use map::Maps;
 pub use norm::norm_table;
 pub use range::range_table;

@@ -122,8 +122,10 @@ impl Maps {
                 ));
             }
         }
-        remarks
-            .push(format!("coordinates of the pieces: {}", coordinates(&self.maps[0]).join(", ")));
+        remarks.push(format!(
+            "coordinates of the pieces: {}",
+            coordinates(&self.maps[0].plane).join(", ")
+        ));
         remarks.push("proof checked".into());
         remarks
     }
@@ -167,7 +169,7 @@ impl Maps {
             })
             .collect();
         let [proved, refuted, undecided] = map.areas();
-        let [x, y] = coordinates(map);
+        let [x, y] = coordinates(&map.plane);
         json!({
             "scheme": self.scheme,
             "parameters": [u.name(), v.name()],
@@ -197,9 +199,9 @@ fn needs_stability(map: &Map) -> bool {
 }
 
 /// `x = alpha` and `y = beta*(1 - alpha)`.
-fn coordinates(map: &Map) -> [String; 2] {
-    let [u, v] = map.plane.parameters();
-    let y = map.plane.factor().map_or_else(
+pub(crate) fn coordinates(plane: &Plane) -> [String; 2] {
+    let [u, v] = plane.parameters();
+    let y = plane.factor().map_or_else(
         || v.to_string(),
         |l| {
             let affine = ParameterPolynomial::constant(l.coefficient(0))
@@ -300,7 +302,7 @@ fn parse_orders(text: &str) -> Result<Vec<usize>, Diagnostic> {
 }
 
 /// The box of a request such as `alpha=-1/4..3/4,beta=-1/2..1/2`, in the order of the parameters.
-fn parse_window(scheme: &Scheme, text: &str) -> Result<Window, Diagnostic> {
+pub(crate) fn parse_window(scheme: &Scheme, text: &str) -> Result<Window, Diagnostic> {
     let error = |message: String| {
         Diagnostic::new("box", message)
             .with_hint("for example --box 'alpha=-1/4..3/4,beta=-1/2..1/2'")

@@ -5,25 +5,16 @@
 
 use std::fmt::Write;
 
-use refinable_algebra::{
-    ParameterFraction, ParameterPolynomial, Rational, Ring, integer, rational,
-};
-use refinable_analysis::{Map, Window, region_of};
+use refinable_algebra::{ParameterFraction, ParameterPolynomial, Rational, Ring, rational};
+use refinable_analysis::{Map, region_of};
 use refinable_certificate::{CellVerdict, Conclusion};
 use refinable_reals::Bound;
 use refinable_scheme::Diagnostic;
 
+use crate::frame::{Frame, HEIGHT, LEFT, TOP, WIDTH};
 use crate::map::{Maps, parse_curve, parse_point};
 use crate::svg::{escape, place, raised};
 
-const LEFT: f64 = 84.0;
-const TOP: f64 = 44.0;
-const WIDTH: f64 = 640.0;
-const HEIGHT: f64 = 460.0;
-const LEGEND: f64 = 172.0;
-const FOOTER: f64 = 64.0;
-/// Ticks along an axis, about.
-const TICKS: i64 = 6;
 /// Straight pieces of an edge that is drawn as a curve, and of a curve.
 const EDGE: i64 = 6;
 const CURVE: i64 = 400;
@@ -40,17 +31,10 @@ impl Maps {
     /// A curve or point that is none.
     pub fn picture(&self, curves: &[String], marks: &[String]) -> Result<String, Diagnostic> {
         let frame = Frame::new(self.maps[0].window());
-        let (width, height) = (LEFT + WIDTH + LEGEND, TOP + HEIGHT + FOOTER);
-        let mut svg = format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width:.0} {height:.0}\" \
-             font-family=\"sans-serif\" font-size=\"12\">\n<title>{title}</title>\n\
-             <defs><pattern id=\"undecided\" width=\"4\" height=\"4\" patternUnits=\"userSpaceOnUse\">\
-             <path d=\"M0 4L4 0M0 0L4 4\" stroke=\"#b2182b\" stroke-width=\"0.9\"/></pattern>\
-             <clipPath id=\"box\"><rect x=\"{LEFT}\" y=\"{TOP}\" width=\"{WIDTH}\" height=\"{HEIGHT}\"/>\
-             </clipPath></defs>\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n\
-             <text x=\"{LEFT}\" y=\"24\" font-size=\"14\">{title}</text>\n<g clip-path=\"url(#box)\">\n",
-            title = escape(&self.title()),
-        );
+        let pattern = "<pattern id=\"undecided\" width=\"4\" height=\"4\" \
+                       patternUnits=\"userSpaceOnUse\"><path d=\"M0 4L4 0M0 0L4 4\" \
+                       stroke=\"#b2182b\" stroke-width=\"0.9\"/></pattern>";
+        let mut svg = Frame::begin(&self.title(), pattern);
         for map in &self.maps {
             let shade = self.shade(map);
             draw(&mut svg, map, &frame, CellVerdict::Proved, shade);
@@ -85,8 +69,7 @@ impl Maps {
                  stroke-width=\"1.6\"/>"
             );
         }
-        svg.push_str("</g>\n");
-        frame.axes(&mut svg, &self.maps[0]);
+        frame.finish(&mut svg, self.maps[0].plane.parameters());
         self.labels(&mut svg, &frame);
         self.legend(&mut svg, curves, marks);
         svg.push_str("</svg>\n");
@@ -216,97 +199,6 @@ impl Maps {
     }
 }
 
-/// The box in picture coordinates.
-struct Frame {
-    window: Window,
-    low: [f64; 2],
-    high: [f64; 2],
-}
-
-impl Frame {
-    fn new(window: Window) -> Self {
-        let low = window.each_ref().map(|[low, _]| place(low));
-        let high = window.each_ref().map(|[_, high]| place(high));
-        Frame { window, low, high }
-    }
-
-    fn across(&self, u: &Rational) -> f64 {
-        self.x(place(u))
-    }
-
-    fn down(&self, v: &Rational) -> f64 {
-        self.y(place(v))
-    }
-
-    fn x(&self, u: f64) -> f64 {
-        LEFT + (u - self.low[0]) / (self.high[0] - self.low[0]) * WIDTH
-    }
-
-    fn y(&self, v: f64) -> f64 {
-        TOP + (self.high[1] - v) / (self.high[1] - self.low[1]) * HEIGHT
-    }
-
-    fn axes(&self, svg: &mut String, map: &Map) {
-        let _ = writeln!(
-            svg,
-            "<rect x=\"{LEFT}\" y=\"{TOP}\" width=\"{WIDTH}\" height=\"{HEIGHT}\" fill=\"none\" \
-             stroke=\"#000000\"/>"
-        );
-        let bottom = TOP + HEIGHT;
-        for t in ticks(&self.window[0]) {
-            let x = self.across(&t);
-            let _ = writeln!(
-                svg,
-                "<path d=\"M{x:.2} {bottom}v5\" stroke=\"#000000\"/>\
-                 <text x=\"{x:.2}\" y=\"{:.0}\" text-anchor=\"middle\">{t}</text>",
-                bottom + 19.0
-            );
-        }
-        for t in ticks(&self.window[1]) {
-            let y = self.down(&t);
-            let _ = writeln!(
-                svg,
-                "<path d=\"M{LEFT} {y:.2}h-5\" stroke=\"#000000\"/>\
-                 <text x=\"{:.0}\" y=\"{:.2}\" text-anchor=\"end\">{t}</text>",
-                LEFT - 9.0,
-                y + 4.0
-            );
-        }
-        let [u, v] = map.plane.parameters();
-        let _ = writeln!(
-            svg,
-            "<text x=\"{:.0}\" y=\"{:.0}\" text-anchor=\"middle\">{}</text>\
-             <text x=\"16\" y=\"{:.0}\">{}</text>",
-            LEFT + WIDTH / 2.0,
-            bottom + 44.0,
-            escape(&greek(u.name())),
-            TOP + HEIGHT / 2.0,
-            escape(&greek(v.name())),
-        );
-    }
-}
-
-/// Multiples of a power of two within an interval.
-fn ticks([low, high]: &[Rational; 2]) -> Vec<Rational> {
-    let mut unit = Rational::one();
-    let two = rational(2, 1);
-    let span = high - low;
-    while &span / &unit > rational(TICKS, 1) {
-        unit *= &two;
-    }
-    while &span / &unit < rational(TICKS, 2) {
-        unit /= &two;
-    }
-    let (first, last) = ((low / &unit).ceil().to_integer(), (high / &unit).floor().to_integer());
-    let mut ticks = Vec::new();
-    let mut k = first;
-    while k <= last {
-        ticks.push(Rational::from(k.clone()) * &unit);
-        k += integer(1);
-    }
-    ticks
-}
-
 /// All pieces with a verdict as one path.
 fn draw(svg: &mut String, map: &Map, frame: &Frame, verdict: CellVerdict, fill: &str) {
     let mut path = String::new();
@@ -397,12 +289,4 @@ fn shoelace(points: &[(f64, f64)]) -> f64 {
 fn order(n: usize) -> String {
     let raised = raised(&n.to_string()).unwrap_or_default();
     format!("C{raised}")
-}
-
-fn greek(name: &str) -> String {
-    match name {
-        "alpha" => "α".into(),
-        "beta" => "β".into(),
-        _ => name.into(),
-    }
 }

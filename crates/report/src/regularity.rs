@@ -74,7 +74,7 @@ pub fn outward(found: &Regularity) -> (Rational, Rational) {
 }
 
 /// `3 - log2(9/8)`: the largest power of the arity taken out of the radius.
-fn exact_text(found: &Regularity, arity: usize) -> Option<String> {
+pub(crate) fn exact_text(found: &Regularity, arity: usize) -> Option<String> {
     let scale = found.scale.as_ref()?;
     let base = Rational::from_i64(arity as i64);
     let mut whole = found.divided_order as i64 - 1;

@@ -130,8 +130,10 @@ impl Centre {
 impl Graph {
     /// The least square of a radius in place of one.
     fn radius(self, letters: &[DMatrix<f64>], ellipsoids: &[DMatrix<f64>]) -> Option<f64> {
-        let roots: Vec<DMatrix<f64>> =
-            ellipsoids.iter().map(|q| Some(q.clone().cholesky()?.unpack())).collect::<Option<_>>()?;
+        let roots: Vec<DMatrix<f64>> = ellipsoids
+            .iter()
+            .map(|q| Some(q.clone().cholesky()?.unpack()))
+            .collect::<Option<_>>()?;
         let of = |(from, letter, to): (usize, usize, usize)| {
             let image = roots[to].solve_lower_triangular(&(&letters[letter] * &roots[from]))?;
             Some((&image * image.transpose()).symmetric_eigenvalues().max())
@@ -155,9 +157,8 @@ impl Graph {
         let moved = |to: f64| -> Vec<DMatrix<f64>> {
             ellipsoids.iter().zip(&slope).map(|(q, d)| q + d * (to - radius)).collect()
         };
-        let allowed = |to: &f64| {
-            self.edges().all(|edge| slack(letters, *to, &moved(*to), edge).is_some())
-        };
+        let allowed =
+            |to: &f64| self.edges().all(|edge| slack(letters, *to, &moved(*to), edge).is_some());
         let parts = std::iter::successors(Some(1.0), |part| Some(0.7 * part)).take(TRIALS);
         let part = parts.map(|part| (part, radius.powf(1.0 - part))).find(|(_, to)| allowed(to));
         let (part, to) = part?;
@@ -215,7 +216,12 @@ impl Graph {
     ///
     /// With `P = M^-1`: in the directions `F`, `G` of `Q_t` the second derivative is `radius² tr(P F P G)`;
     /// in those of `Q_s` the same with `B^T P B` in place of `P`; in one of each with `P B`.
-    fn jet(self, letters: &[DMatrix<f64>], radius: f64, ellipsoids: &[DMatrix<f64>]) -> Option<Jet> {
+    fn jet(
+        self,
+        letters: &[DMatrix<f64>],
+        radius: f64,
+        ellipsoids: &[DMatrix<f64>],
+    ) -> Option<Jet> {
         let n = quadratic::coordinates(self.size);
         let identity = DMatrix::identity(self.size, self.size);
         let mut gradient = DVector::zeros(n * self.words);

@@ -53,7 +53,9 @@ pub(crate) fn fixed_vector(matrix: &DMatrix<f64>, sign: i32) -> Option<Vec<f64>>
 
 /// The eigenvalues, the largest first; of a complex pair the one in the upper half plane.
 pub(crate) fn eigenvalues(matrix: &DMatrix<f64>) -> Vec<Complex<f64>> {
-    let Some(schur) = nalgebra::Schur::try_new(matrix.clone(), 1e-14, 10_000) else {
+    let schur = |accuracy: f64| nalgebra::Schur::try_new(matrix.clone(), accuracy, 1_000);
+    // For a few matrices the iteration stalls just above the rounding of the machine.
+    let Some(schur) = [1e-14, 1e-12, 1e-10].into_iter().find_map(schur) else {
         return Vec::new();
     };
     let mut values: Vec<Complex<f64>> = schur.complex_eigenvalues().iter().copied().collect();

@@ -18,6 +18,7 @@
 //! | `ellipsoid` | ellipsoids that matrices map into each other, in floats |
 //! | `quadratic` | symmetric matrices in coordinates, in floats |
 //! | `moving` | quadratic forms that move with the point of a polygon, in the integers of a certificate |
+//! | `landscape` | [`decay`], [`slowest`]: how words grow over a box, and where they do least |
 //! | `outline` | [`outline()`](outline()): a box around the set on which matrices contract |
 //! | `partition` | [`partition()`](partition()): polygons of the plane, divided at radius one |
 //! | `front`, `geometry` | where the boundary runs through a polygon, in floats |
@@ -33,6 +34,7 @@ mod float;
 mod front;
 mod gauge;
 mod geometry;
+mod landscape;
 mod leading;
 mod moving;
 mod outline;
@@ -51,6 +53,7 @@ mod word;
 mod writing;
 
 pub use division::{Constant, Division, Options, decide, divide, expanding};
+pub use landscape::{decay, slowest};
 pub use outline::{Window, outline};
 pub use partition::{Effort, partition};
 pub use pencil::Pencil;

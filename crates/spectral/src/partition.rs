@@ -9,9 +9,9 @@ use refinable_algebra::{Polynomial, Rational};
 use refinable_certificate::{Inequality, Line, MapChecker, Node, Number, Polygon, Terms};
 
 use crate::float::{approximate, dyadic};
-use crate::moving::{Failure, moving_ellipsoids, moving_expansion};
 use crate::front::{Front, Sampler};
 use crate::geometry::{Place, area, diameter, extent};
+use crate::moving::{Failure, moving_ellipsoids, moving_expansion};
 use crate::plane::PlanePencil;
 use crate::word::Word;
 
@@ -210,7 +210,9 @@ impl Work<'_> {
         let (bottom, top) = extent(&open.corners, normal);
         let margin = (MARGINS[0] * length).min(MARGINS[1] * (top - bottom)) + 0.1 * (high - low);
         let inner = self.parts(&open.polygon, normal, low - margin);
-        let Some((line, [Some(inside), Some(beyond)])) = inner else { return self.halve(open, open.hope) };
+        let Some((line, [Some(inside), Some(beyond)])) = inner else {
+            return self.halve(open, open.hope);
+        };
         let beyond = match self.parts(&beyond, normal, high + margin) {
             Some((line, [Some(strip), Some(outside)])) => {
                 let outside = decided_or_open(self.open(outside), |open| self.refute(open));
@@ -233,8 +235,7 @@ impl Work<'_> {
             return Ok(Node::Norm);
         }
         let accept = |ellipsoids: &_| self.checker.accepts(&open.polygon, ellipsoids);
-        let found =
-            moving_ellipsoids(self.pencil, &self.places(open), &self.sampler.words, accept);
+        let found = moving_ellipsoids(self.pencil, &self.places(open), &self.sampler.words, accept);
         found.map(Node::Ellipsoids).map_err(|failure| match failure {
             Failure::TooLarge => 1.0,
             Failure::Nowhere => LITTLE_HOPE,

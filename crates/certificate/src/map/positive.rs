@@ -69,7 +69,8 @@ mod tests {
 
     #[test]
     fn small_matrices_by_hand() {
-        let matrix = |a: i128, b: i128, c: i128| vec![vec![a << 70, b << 70], vec![b << 70, c << 70]];
+        let matrix =
+            |a: i128, b: i128, c: i128| vec![vec![a << 70, b << 70], vec![b << 70, c << 70]];
         assert!(is_positive_definite(matrix(4, 3, 3), 0));
         assert!(!is_positive_definite(matrix(4, 4, 4), 0));
         assert!(!is_positive_definite(matrix(4, 5, 4), 0));

@@ -246,7 +246,9 @@ impl Sum {
 fn controls(corners: usize, size: usize) -> BTreeSet<Vec<usize>> {
     let of = |k: usize| {
         let triangle = [0, k, k + 1];
-        multisets(3, size).into_iter().map(move |set| set.into_iter().map(|i| triangle[i]).collect())
+        multisets(3, size)
+            .into_iter()
+            .map(move |set| set.into_iter().map(|i| triangle[i]).collect())
     };
     (1..corners - 1).flat_map(of).collect()
 }

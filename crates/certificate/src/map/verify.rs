@@ -11,8 +11,8 @@ use crate::map::family::{PlaneScheme, check_section, parts};
 use crate::map::form::{Form, is_nowhere_positive};
 use crate::map::inequality::{Blocks, polynomial};
 use crate::map::model::{
-    Eigenvalue, Ellipsoids, Expansion, Inequality, MAP_FORMAT, MapCertificate, Node, PlaneFamily, Section,
-    Terms,
+    Eigenvalue, Ellipsoids, Expansion, Inequality, MAP_FORMAT, MapCertificate, Node, PlaneFamily,
+    Section, Terms,
 };
 use crate::map::polygon::{Line, Polygon};
 use crate::map::quadratic::Letters;
@@ -149,7 +149,6 @@ impl MapChecker {
     ) -> Check<()> {
         self.letters()?.check_expansion(&self.scheme, polygon, expansion, work)
     }
-
 }
 
 fn terms(form: &Form) -> Terms {

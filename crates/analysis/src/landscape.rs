@@ -1,0 +1,197 @@
+//! The Hölder exponent over two parameters: how it runs, and where it is largest.
+
+use refinable_algebra::{ParameterFraction, ParameterPolynomial, Polynomial, Rational, Ring};
+use refinable_scheme::{Diagnostic, Normalised};
+use refinable_spectral::{Options, PlanePencil, Window, decay, outline, slowest};
+
+use crate::line::{Line, letters};
+use crate::map::{check_window, common_line};
+use crate::plane::Plane;
+use crate::regularity::{Regularity, regularity};
+
+/// The Hölder exponents of a family in a box.
+#[derive(Clone, Debug)]
+pub struct Landscape {
+    /// The family.
+    pub plane: Plane,
+    /// The box.
+    pub window: Window,
+    /// Nodes of the grid in each direction.
+    pub nodes: [usize; 2],
+    /// The exponent where the symbol is divisible as often as everywhere, at each node, row by row from
+    /// the lower end of the box. Approximate, for pictures: short words only.
+    pub exponents: Vec<Rational>,
+    /// The smoothest members that were found, those of the whole box first.
+    pub summits: Vec<Summit>,
+}
+
+/// A smooth member.
+#[derive(Clone, Debug)]
+pub struct Summit {
+    /// Where in the plane it is the smoothest.
+    pub locus: Locus,
+    /// The parameters.
+    pub parameters: [Rational; 2],
+    /// Its exponent, proved.
+    pub regularity: Regularity,
+}
+
+/// Where a symbol is divisible more often than elsewhere.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum Locus {
+    /// Nowhere.
+    Plane,
+    /// On the line through a point of the plane of `(x, y)` in a direction.
+    Line([Rational; 2], [Rational; 2]),
+    /// At a point.
+    Point,
+}
+
+/// How near to the least growth summits are, as powers of two, tried in turn.
+const TOLERANCES: [u32; 5] = [12, 9, 7, 6, 4];
+/// How far lines of constant `x` are followed, as `|t|`, and steps on each line within the box.
+const FARTHEST: i64 = 64;
+const STEPS: i64 = 512;
+
+/// The box that shows where the family is smooth, with some margin.
+///
+/// # Errors
+/// Code `parameters` or `pole` if the family has no map.
+pub fn smooth_window(name: &str, mask: &Normalised) -> Result<Window, Diagnostic> {
+    let plane = Plane::new(name, mask)?;
+    Ok(outline(&plane.pencil_in_parameters(plane.order().max(1), &bound(&plane))))
+}
+
+/// `m^(k-1)`: where it bounds the radius, the family converges.
+fn bound(plane: &Plane) -> Rational {
+    Rational::from_i64(plane.arity() as i64).power(plane.order().max(1) as u32 - 1)
+}
+
+/// How the exponent runs in a box, and its largest values on the plane and on the lines and at the points
+/// where a higher power of `σ` divides. Where they are is searched for; the exponents are proved.
+///
+/// # Errors
+/// Code `parameters` or `pole` if the family has no map, `box` if the box is empty, `divisibility` if
+/// `σ` does not divide.
+pub fn landscape(
+    name: &str,
+    mask: &Normalised,
+    window: &Window,
+    nodes: [usize; 2],
+) -> Result<Landscape, Diagnostic> {
+    let plane = Plane::new(name, mask)?;
+    check_window(window)?;
+    let order = plane.order();
+    if order == 0 {
+        let message = "(1 + z) does not divide the symbol for all values of the parameters";
+        return Err(Diagnostic::new("divisibility", message));
+    }
+    let pencil = plane.pencil_in_parameters(order, &Rational::one());
+    let whole = Rational::from_i64(order as i64 - 1);
+    let exponents = decay(&pencil, window, nodes).into_iter().map(|d| &whole + d).collect();
+    let mut places = vec![(Locus::Plane, slowest(&pencil, window, &TOLERANCES))];
+    places.extend(special_places(&plane, window));
+    let mut summits = Vec::new();
+    for (locus, choices) in places {
+        // Where eigenvalues meet the radius may escape: a place not quite so smooth does as well.
+        for parameters in choices {
+            let member = at(&plane, mask, &parameters)?;
+            if let Ok(regularity) = regularity(name, &member, &Options::default()) {
+                summits.push(Summit { locus, parameters, regularity });
+                break;
+            }
+        }
+    }
+    Ok(Landscape { plane, window: window.clone(), nodes, exponents, summits })
+}
+
+impl Landscape {
+    /// The summit with the largest exponent that is proved.
+    pub fn highest(&self) -> Option<&Summit> {
+        self.summits.iter().max_by(|a, b| a.regularity.lower.cmp(&b.regularity.lower))
+    }
+}
+
+/// The member at a point.
+fn at(
+    plane: &Plane,
+    mask: &Normalised,
+    parameters: &[Rational; 2],
+) -> Result<Normalised, Diagnostic> {
+    let pairs = plane.parameters().iter().zip(parameters);
+    pairs.fold(Ok(mask.clone()), |mask, (parameter, value)| {
+        let value = ParameterFraction::from(ParameterPolynomial::constant(value.clone()));
+        mask?.substitute(parameter, &value)
+    })
+}
+
+/// The smoothest places in the box on each line and at each point where a higher power divides.
+fn special_places(plane: &Plane, window: &Window) -> Vec<(Locus, Vec<[Rational; 2]>)> {
+    let mut found = Vec::new();
+    let mut seen = None;
+    for order in plane.order() + 1.. {
+        let Some(common) = common_line(&plane.divisibility(order)) else { break };
+        if seen.as_ref() == Some(&common) {
+            continue;
+        }
+        let (origin, direction) = &common;
+        if direction.iter().all(Rational::is_zero) {
+            let parameters = plane.parameters_at(origin).filter(|p| contains(window, p));
+            found.extend(parameters.map(|parameters| (Locus::Point, vec![parameters])));
+            break;
+        }
+        let places = slowest_on(plane, window, origin, direction).into_iter();
+        let locus = Locus::Line(origin.clone(), direction.clone());
+        found.extend(places.map(|choices| (locus.clone(), choices)));
+        seen = Some(common);
+    }
+    found
+}
+
+fn contains(window: &Window, parameters: &[Rational; 2]) -> bool {
+    window.iter().zip(parameters).all(|([low, high], x)| low <= x && x <= high)
+}
+
+/// Places at which words grow least, for each part of a line that is in the box.
+fn slowest_on(
+    plane: &Plane,
+    window: &Window,
+    origin: &[Rational; 2],
+    direction: &[Rational; 2],
+) -> Vec<Vec<[Rational; 2]>> {
+    let Some(masks) = plane.along(origin, direction) else { return Vec::new() };
+    let order = Line::through(plane.name(), plane.arity(), None, masks.clone()).order();
+    let scale = Rational::from_i64(plane.arity() as i64).power(order as u32 - 1);
+    let of = |part| letters(part, plane.arity(), order, plane.extent(), &scale);
+    let pencil = PlanePencil::new(&[(0, 0, of(&masks[0])), (1, 0, of(&masks[1]))]);
+    let point = |t: &Rational| {
+        let point = [0, 1].map(|i| &origin[i] + &direction[i] * t);
+        plane.parameters_at(&point).filter(|parameters| contains(window, parameters))
+    };
+    let far = Rational::from_i64(FARTHEST);
+    let [low, high] = if direction[0].is_zero() {
+        [-&far, far]
+    } else {
+        let mut ends = window[0].each_ref().map(|x| (x - &origin[0]) / &direction[0]);
+        ends.sort();
+        ends
+    };
+    let step = (&high - &low) / Rational::from_i64(STEPS);
+    let nodes: Vec<Rational> = (0..=STEPS).map(|k| &low + &step * Rational::from_i64(k)).collect();
+    let runs = nodes.split(|t| point(t).is_none()).filter(|run| run.len() > 1);
+    let slowest = runs.map(|run| {
+        let span = [run[0].clone(), run[run.len() - 1].clone()];
+        let zero = [Rational::zero(), Rational::zero()];
+        let places = slowest(&pencil, &[span, zero], &TOLERANCES);
+        places.iter().filter_map(|[t, _]| point(t)).collect()
+    });
+    slowest.collect()
+}
+
+impl Plane {
+    /// The parameters of a point `(x, y)`, if there are any.
+    fn parameters_at(&self, [x, y]: &[Rational; 2]) -> Option<[Rational; 2]> {
+        let l = self.factor().map_or_else(Rational::one, |l: &Polynomial<Rational>| l.evaluate(x));
+        (!l.is_zero()).then(|| [x.clone(), y / l])
+    }
+}
