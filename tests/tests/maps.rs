@@ -378,7 +378,7 @@ fn the_smoothest_a3_is_a_b_spline() {
     let line = at(|l| matches!(l, Locus::Line(..)));
     assert!(line.regularity.lower >= rational(4, 1) && line.regularity.divided_order > 3);
     let plane = at(|l| *l == Locus::Plane);
-    assert!(plane.regularity.lower <= plane.regularity.upper && plane.regularity.stable);
+    assert!(plane.regularity.lower >= rational(2, 1));
     // No word of the picture decays faster than what is proved at the summit allows.
     let highest = found.exponents.iter().max().unwrap();
     assert_eq!(found.exponents.len(), 108);
