@@ -1,6 +1,6 @@
 //! The Hölder exponent over two parameters: how it runs, and where it is largest.
 
-use refinable_algebra::{ParameterFraction, ParameterPolynomial, Polynomial, Rational, Ring};
+use refinable_algebra::{ParameterFraction, ParameterPolynomial, Rational, Ring};
 use refinable_scheme::{Diagnostic, Normalised};
 use refinable_spectral::{Options, PlanePencil, Window, decay, outline, slowest};
 
@@ -186,12 +186,4 @@ fn slowest_on(
         places.iter().filter_map(|[t, _]| point(t)).collect()
     });
     slowest.collect()
-}
-
-impl Plane {
-    /// The parameters of a point `(x, y)`, if there are any.
-    fn parameters_at(&self, [x, y]: &[Rational; 2]) -> Option<[Rational; 2]> {
-        let l = self.factor().map_or_else(Rational::one, |l: &Polynomial<Rational>| l.evaluate(x));
-        (!l.is_zero()).then(|| [x.clone(), y / l])
-    }
 }

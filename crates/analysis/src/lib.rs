@@ -52,7 +52,7 @@ pub use degrees::{Degrees, GenerationDegree, ReproductionDegree, Stratum, degree
 pub use difference::{ClearedSymbol, DifferenceSymbol};
 pub use landscape::{Landscape, Locus, Summit, landscape, smooth_window};
 pub use line::Line;
-pub use map::{Area, Fineness, Map, MapVerdict, default_window, map};
+pub use map::{Area, Fineness, Map, MapVerdict, certified_map, default_window, map};
 pub use norm::{Comparison, Norm, NormRow};
 pub use piecewise::RowCondition;
 pub use plane::Plane;

@@ -147,6 +147,25 @@ pub fn map(
     Map::checked(plane, certificate, checker)
 }
 
+/// The map that a certificate proves, if it is about this family and order; without any search.
+///
+/// # Errors
+/// Those of [`map`]; code `certificate` if it does not hold or is about something else.
+pub fn certified_map(
+    name: &str,
+    mask: &Normalised,
+    continuity: usize,
+    certificate: MapCertificate,
+) -> Result<Map, Diagnostic> {
+    let plane = Plane::new(name, mask)?;
+    let family = plane.family(plane.order());
+    if certificate.family != family || certificate.continuity != continuity {
+        return Err(Diagnostic::new("certificate", format!("not about C^{continuity} of {name}")));
+    }
+    let checker = MapChecker::new(&family, continuity).map_err(invalid)?;
+    Map::checked(plane, certificate, checker)
+}
+
 fn invalid(invalid: refinable_certificate::Invalid) -> Diagnostic {
     Diagnostic::new("certificate", format!("the certificate does not hold: {invalid}"))
 }

@@ -106,6 +106,12 @@ impl Plane {
         [u.clone(), y]
     }
 
+    /// The parameters of a point `(x, y)`; `None` where `l` vanishes.
+    pub fn parameters_at(&self, [x, y]: &[Rational; 2]) -> Option<[Rational; 2]> {
+        let l = self.factor.as_ref().map_or_else(Rational::one, |l| l.evaluate(x));
+        (!l.is_zero()).then(|| [x.clone(), y / l])
+    }
+
     /// The largest `k` for which `σ^k` divides the symbol everywhere.
     pub fn order(&self) -> usize {
         let divides = |k: usize| {

@@ -11,9 +11,9 @@ use refinable_analysis::{Budget, Fineness, Map, Options, Sharpness, continuity_a
 use refinable_certificate::{Certificate, MAP_FORMAT, MapCertificate, verify, verify_map};
 use refinable_papers::{Claims, Paper, Table};
 use refinable_report::{
-    Audit, CERTIFICATES, CertificateStore, Effort, HolderMap, Maps, Quantity, Scan, Site, Sweep,
-    degree_table, norm_table, proof_text, range_table, regularity_table, report_site, sharp_range,
-    sharp_range_table, show,
+    Audit, CERTIFICATES, CertificateStore, Effort, FamilyMaps, HolderMap, MAP_CERTIFICATES,
+    MapStore, Maps, Quantity, Scan, Site, Sweep, degree_table, norm_table, proof_text, range_table,
+    regularity_table, report_site, sharp_range, sharp_range_table, show,
 };
 use refinable_scheme::{Scheme, Substitution};
 
@@ -267,24 +267,28 @@ fn known_certificates(arguments: &AuditArguments) -> Result<CertificateStore, Fa
     }
 }
 
-/// Audits with a progress bar on a terminal, silently elsewhere.
+/// Audits with a progress bar.
 fn run_audit(
     tables: &[Table],
     arguments: &AuditArguments,
     known: CertificateStore,
 ) -> Result<Audit, Failure> {
     let cells: usize = tables.iter().map(|table| table.cells.len()).sum();
-    let bar = if std::io::stderr().is_terminal() {
-        ProgressBar::new(cells as u64)
-    } else {
-        ProgressBar::hidden()
-    };
-    let style = ProgressStyle::with_template("{bar:40} {pos}/{len} cells, {eta} left");
-    bar.set_style(style.expect("the template is well formed"));
+    let bar = progress_bar(cells, "cells");
     let effort = Effort { level: arguments.level, budget: Budget::default() };
     let audit = Audit::new(tables, effort, known, &|| bar.inc(1));
     bar.finish_and_clear();
     Ok(audit?)
+}
+
+/// A progress bar on a terminal, nothing elsewhere.
+fn progress_bar(count: usize, of: &str) -> ProgressBar {
+    if !std::io::stderr().is_terminal() {
+        return ProgressBar::hidden();
+    }
+    let style = format!("{{bar:40}} {{pos}}/{{len}} {of}, {{eta}} left");
+    let style = ProgressStyle::with_template(&style).expect("the template is well formed");
+    ProgressBar::new(count as u64).with_style(style)
 }
 
 fn report(action: &ReportAction) -> Result<ExitCode, Failure> {
@@ -296,7 +300,16 @@ fn report(action: &ReportAction) -> Result<ExitCode, Failure> {
     if !audit.fresh {
         known.extend(files::certificates(&dir.join(CERTIFICATES))?);
     }
-    let site: Site = report_site(&paper, &run_audit(&paper.tables, audit, known)?);
+    let maps = if audit.fresh {
+        MapStore::new()
+    } else {
+        files::map_certificates(&dir.join(MAP_CERTIFICATES))?
+    };
+    let audited = run_audit(&paper.tables, audit, known)?;
+    let bar = progress_bar(FamilyMaps::count()?, "maps");
+    let families = FamilyMaps::all(&paper.tables, &maps, &|| bar.inc(1));
+    bar.finish_and_clear();
+    let site: Site = report_site(&paper, &audited, &families?)?;
     if let ReportAction::Build { .. } = action {
         files::write_site(dir, &site)?;
         eprintln!("{} files written to {}", site.len(), dir.display());

@@ -1,12 +1,12 @@
 //! Files, written whole or not at all.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
 
-use refinable_certificate::Certificate;
-use refinable_report::{CertificateStore, Site, png};
+use refinable_certificate::{Certificate, MapCertificate};
+use refinable_report::{CertificateStore, MapStore, Site, png};
 use tempfile::NamedTempFile;
 
 use crate::failure::Failure;
@@ -195,7 +195,22 @@ const LARGEST_CERTIFICATE: u64 = 64 << 20;
 /// # Errors
 /// A directory or file that cannot be read.
 pub fn certificates(dir: &Path) -> Result<CertificateStore, Failure> {
-    let mut store = CertificateStore::new();
+    read_all(dir, |bytes| Certificate::read(bytes).ok())
+}
+
+/// The readable certificates of maps.
+///
+/// # Errors
+/// A directory or file that cannot be read.
+pub fn map_certificates(dir: &Path) -> Result<MapStore, Failure> {
+    read_all(dir, |bytes| MapCertificate::read(bytes).ok())
+}
+
+fn read_all<T>(
+    dir: &Path,
+    read: impl Fn(&[u8]) -> Option<T>,
+) -> Result<BTreeMap<String, T>, Failure> {
+    let mut store = BTreeMap::new();
     if !dir.is_dir() {
         return Ok(store);
     }
@@ -203,7 +218,7 @@ pub fn certificates(dir: &Path) -> Result<CertificateStore, Failure> {
         let path = entry.map_err(|error| Failure::file(dir, &error))?.path();
         if path.extension().is_some_and(|extension| extension == "json")
             && let Some(name) = path.file_stem()
-            && let Ok(certificate) = Certificate::read(&read_limited(&path)?)
+            && let Some(certificate) = read(&read_limited(&path)?)
         {
             store.insert(name.to_string_lossy().into_owned(), certificate);
         }

@@ -47,6 +47,20 @@ impl Frame {
         TOP + (self.high[1] - v) / (self.high[1] - self.low[1]) * HEIGHT
     }
 
+    /// Whether a place in the picture is inside of the box.
+    pub fn contains(&self, x: f64, y: f64) -> bool {
+        (LEFT..=LEFT + WIDTH).contains(&x) && (TOP..=TOP + HEIGHT).contains(&y)
+    }
+
+    /// Whether the places are not all on one and the same side beyond the box.
+    pub fn meets(&self, places: &[(f64, f64)]) -> bool {
+        let any = |f: &dyn Fn(&(f64, f64)) -> bool| places.iter().any(f);
+        any(&|p| p.0 >= LEFT)
+            && any(&|p| p.0 <= LEFT + WIDTH)
+            && any(&|p| p.1 >= TOP)
+            && any(&|p| p.1 <= TOP + HEIGHT)
+    }
+
     /// The head of a picture with a title, and the box to which what follows is clipped.
     pub fn begin(title: &str, definitions: &str) -> String {
         let (width, height) = (LEFT + WIDTH + LEGEND, TOP + HEIGHT + FOOTER);

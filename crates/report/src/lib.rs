@@ -11,6 +11,7 @@
 //! | `svg`, `frame`, `raster` | what pictures have in common; from SVG to pixels |
 //! | `picture` | claimed against proved ranges as SVG |
 //! | `audit` | [`Audit`]: the verdict on every cell of a paper's tables |
+//! | `families` | [`FamilyMaps`]: pages about the families of two parameters |
 //! | `site` | the files of a report directory |
 //!
 //! Nothing here knows the clock, the terminal or the file system: the same input gives the same
@@ -18,6 +19,7 @@
 
 mod audit;
 mod degrees;
+mod families;
 mod frame;
 mod grid;
 mod landscape;
@@ -39,6 +41,7 @@ mod sweep;
 
 pub use audit::{Agreement, Audit, AuditedCell, AuditedTable, CertificateStore, Effort, Ranges};
 pub use degrees::degree_table;
+pub use families::{FamilyMaps, MAP_CERTIFICATES, MapStore};
 pub use grid::{Cell, Document, Grid};
 pub use landscape::HolderMap;
 pub use map::Maps;

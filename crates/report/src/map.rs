@@ -42,6 +42,11 @@ impl Maps {
         Ok(Maps { scheme: name.into(), maps: maps.collect::<Result<_, _>>()? })
     }
 
+    /// Maps that are known, of one family in one box, in ascending order.
+    pub(crate) fn of(scheme: &Scheme, maps: Vec<Map>) -> Maps {
+        Maps { scheme: scheme.name().into(), maps }
+    }
+
     /// One row for each order: areas, and how many pieces there are.
     pub fn document(&self) -> Document {
         let row = |map: &Map| {

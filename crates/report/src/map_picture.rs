@@ -6,7 +6,7 @@
 use std::fmt::Write;
 
 use refinable_algebra::{ParameterFraction, ParameterPolynomial, Rational, Ring, rational};
-use refinable_analysis::{Map, region_of};
+use refinable_analysis::{Map, MapVerdict, Window, region_of};
 use refinable_certificate::{CellVerdict, Conclusion};
 use refinable_reals::Bound;
 use refinable_scheme::Diagnostic;
@@ -15,8 +15,10 @@ use crate::frame::{Frame, HEIGHT, LEFT, TOP, WIDTH};
 use crate::map::{Maps, parse_curve, parse_point};
 use crate::svg::{escape, place, raised};
 
-/// Straight pieces of an edge that is drawn as a curve, and of a curve.
-const EDGE: i64 = 6;
+/// The length of straight pieces of an edge that is drawn as a curve, and how many there are at most.
+const EDGE: f64 = 16.0;
+const MOST_PIECES: f64 = 16.0;
+/// Straight pieces of a curve.
 const CURVE: i64 = 400;
 const LINE: i64 = 60;
 /// Shades from light to dark.
@@ -30,7 +32,17 @@ impl Maps {
     /// # Errors
     /// A curve or point that is none.
     pub fn picture(&self, curves: &[String], marks: &[String]) -> Result<String, Diagnostic> {
-        let frame = Frame::new(self.maps[0].window());
+        self.picture_in(self.maps[0].window(), curves, marks)
+    }
+
+    /// The picture of another box.
+    pub(crate) fn picture_in(
+        &self,
+        window: Window,
+        curves: &[String],
+        marks: &[String],
+    ) -> Result<String, Diagnostic> {
+        let frame = Frame::new(window);
         let pattern = "<pattern id=\"undecided\" width=\"4\" height=\"4\" \
                        patternUnits=\"userSpaceOnUse\"><path d=\"M0 4L4 0M0 0L4 4\" \
                        stroke=\"#b2182b\" stroke-width=\"0.9\"/></pattern>";
@@ -42,15 +54,6 @@ impl Maps {
         for map in &self.maps {
             draw(&mut svg, map, &frame, CellVerdict::Undecided, "url(#undecided)");
         }
-        for map in &self.maps {
-            let path = sections(map, &frame);
-            let shade = self.shade(map);
-            let _ = writeln!(
-                svg,
-                "<path d=\"{path}\" fill=\"none\" stroke=\"#ffffff\" stroke-width=\"5\"/>\
-                 <path d=\"{path}\" fill=\"none\" stroke=\"{shade}\" stroke-width=\"3\"/>"
-            );
-        }
         for (k, curve) in curves.iter().enumerate() {
             let path = self.curve(&frame, curve)?;
             let dashes = ["none", "7 3", "2 3", "9 3 2 3"][k % 4];
@@ -58,6 +61,15 @@ impl Maps {
                 svg,
                 "<path d=\"{path}\" fill=\"none\" stroke=\"#000000\" stroke-width=\"1.4\" \
                  stroke-dasharray=\"{dashes}\"/>"
+            );
+        }
+        for map in &self.maps {
+            let path = sections(map, &frame);
+            let shade = self.shade(map);
+            let _ = writeln!(
+                svg,
+                "<path d=\"{path}\" fill=\"none\" stroke=\"#ffffff\" stroke-width=\"5\"/>\
+                 <path d=\"{path}\" fill=\"none\" stroke=\"{shade}\" stroke-width=\"3\"/>"
             );
         }
         for mark in marks {
@@ -85,11 +97,11 @@ impl Maps {
     fn shade(&self, map: &Map) -> &'static str {
         let count = self.maps.len();
         let place = self.maps.iter().position(|m| m.continuity() == map.continuity()).unwrap_or(0);
-        SHADES[if count <= 1 {
-            2
+        if count == 1 {
+            SHADES[2]
         } else {
-            (place * (SHADES.len() - 1) / count).min(SHADES.len() - 1)
-        }]
+            SHADES[(place * SHADES.len() / count).min(SHADES.len() - 1)]
+        }
     }
 
     /// The name of each order in the largest of its pieces of which the middle has no higher order.
@@ -107,7 +119,7 @@ impl Maps {
                     best = Some((area, x, y));
                 }
             }
-            if let Some((_, x, y)) = best {
+            if let Some((_, x, y)) = best.filter(|(_, x, y)| frame.contains(*x, *y)) {
                 let _ = writeln!(
                     svg,
                     "<text x=\"{x:.2}\" y=\"{:.2}\" text-anchor=\"middle\" font-weight=\"bold\" \
@@ -203,7 +215,11 @@ impl Maps {
 fn draw(svg: &mut String, map: &Map, frame: &Frame, verdict: CellVerdict, fill: &str) {
     let mut path = String::new();
     for cell in map.cells.iter().filter(|cell| cell.verdict == verdict) {
-        for (k, (x, y)) in corners(map, frame, &cell.polygon.points()).into_iter().enumerate() {
+        let corners = corners(map, frame, &cell.polygon.points());
+        if !frame.meets(&corners) {
+            continue;
+        }
+        for (k, (x, y)) in corners.into_iter().enumerate() {
             let _ = write!(path, "{}{x:.2} {y:.2}", if k == 0 { "M" } else { "L" });
         }
         path.push('Z');
@@ -255,8 +271,12 @@ fn corners(map: &Map, frame: &Frame, points: &[[Rational; 2]]) -> Vec<(f64, f64)
     let next = floats.iter().cycle().skip(1);
     let mut all = Vec::new();
     for ([ax, ay], [bx, by]) in floats.iter().zip(next) {
-        for k in 0..EDGE {
-            let t = k as f64 / EDGE as f64;
+        // Short edges are as good as straight.
+        let at = |[x, y]: [f64; 2]| (frame.x(x), frame.y(y / (c + d * x)));
+        let ((px, py), (qx, qy)) = (at([*ax, *ay]), at([*bx, *by]));
+        let pieces = ((qx - px).hypot(qy - py) / EDGE).clamp(1.0, MOST_PIECES) as usize;
+        for k in 0..pieces {
+            let t = k as f64 / pieces as f64;
             let (x, y) = (ax + t * (bx - ax), ay + t * (by - ay));
             let l = c + d * x;
             // Where the factor vanishes a corner is a whole edge of the box.
@@ -273,10 +293,10 @@ fn mean(points: &[[Rational; 2]]) -> [Rational; 2] {
     [0, 1].map(|i| points.iter().map(|p| p[i].clone()).sum::<Rational>() / &count)
 }
 
-/// Whether a point of the plane of `(x, y)` is in a proved piece.
+/// Whether the order is proved at a point of the plane of `(x, y)`.
 fn is_proved(map: &Map, point: &[Rational; 2]) -> bool {
-    let proved = map.cells.iter().filter(|cell| cell.verdict == CellVerdict::Proved);
-    proved.into_iter().any(|cell| cell.polygon.contains(point))
+    let at = map.plane.parameters_at(point);
+    at.is_some_and(|parameters| map.verdict_at(&parameters) == MapVerdict::Proved)
 }
 
 fn shoelace(points: &[(f64, f64)]) -> f64 {

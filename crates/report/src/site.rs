@@ -3,19 +3,31 @@
 use std::collections::BTreeMap;
 
 use refinable_papers::Paper;
+use refinable_scheme::Diagnostic;
 
 use crate::audit::{Audit, AuditedTable, CertificateStore};
+use crate::families::FamilyMaps;
 use crate::grid::Document;
 use crate::picture;
 
 /// The generated files of a report by their path, `/` between folders.
 pub type Site = BTreeMap<String, String>;
 
-/// The report of an audit: an index, and each table as md, csv, tex and json. `NOTES.md` beside
-/// them is written by hand and not part of it.
-pub fn report_site(paper: &Paper, audit: &Audit) -> Site {
+/// The report of an audit: an index, each table as md, csv, tex and json, and a page for each family of two
+/// parameters. `NOTES.md` beside them is written by hand and not part of it.
+///
+/// # Errors
+/// Those of the pictures of families.
+pub fn report_site(
+    paper: &Paper,
+    audit: &Audit,
+    families: &[FamilyMaps],
+) -> Result<Site, Diagnostic> {
     let mut site = Site::new();
-    site.insert("README.md".into(), index(paper, audit));
+    site.insert("README.md".into(), index(paper, audit, families));
+    for family in families {
+        family.publish(&mut site)?;
+    }
     site.insert("tables.json".into(), audit.document().json_text());
     site.insert("tables.tex".into(), latex_document(audit));
     for table in &audit.tables {
@@ -33,13 +45,13 @@ pub fn report_site(paper: &Paper, audit: &Audit) -> Site {
         let json = format!("{}\n", certificate.to_json());
         site.insert(format!("{CERTIFICATES}/{name}.json"), json);
     }
-    site
+    Ok(site)
 }
 
 /// The folder of a report that holds its certificates.
 pub const CERTIFICATES: &str = "certificates";
 
-fn index(paper: &Paper, audit: &Audit) -> String {
+fn index(paper: &Paper, audit: &Audit, families: &[FamilyMaps]) -> String {
     let mut text = format!(
         "# Audit of “{}”\n\n{}\n\n{}\n\nWhat the misprints are, and their evidence: \
          [NOTES.md](NOTES.md).\nAll tables as one document: [tables.tex](tables.tex); as data: \
@@ -57,6 +69,8 @@ fn index(paper: &Paper, audit: &Audit) -> String {
     for table in &audit.tables {
         text.push_str(&index_row(table, audit.level));
     }
+    text.push_str("\nWhere the families of two parameters are C^n, over both of them:\n\n");
+    families.iter().for_each(|family| text.push_str(&family.index_line()));
     text
 }
 

@@ -1,0 +1,205 @@
+//! Pages about the families of two parameters: their maps, with the paper's curves on them.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use refinable_algebra::{Parameter, Rational, rational};
+use refinable_analysis::{Fineness, Map, Plane, Window, certified_map, default_window, map};
+use refinable_certificate::{CellVerdict, MapCertificate};
+use refinable_papers::{Claim, Table};
+use refinable_scheme::{Diagnostic, Scheme, Substitution};
+
+use crate::map::Maps;
+use crate::site::Site;
+
+/// The folder of a report that holds the maps, and that of their certificates.
+pub const MAPS: &str = "maps";
+/// The folder of the certificates of maps.
+pub const MAP_CERTIFICATES: &str = "maps/certificates";
+
+/// Certificates of maps by name, such as `a5-C3`.
+pub type MapStore = BTreeMap<String, MapCertificate>;
+
+/// The names of the families with two parameters in a paper's first tables.
+const FAMILIES: [&str; 3] = ["a3", "a5", "a7"];
+
+/// A family of two parameters with its maps, all in one box.
+#[derive(Clone, Debug)]
+pub struct FamilyMaps {
+    scheme: Scheme,
+    maps: Maps,
+    /// The paper's curves and points.
+    curves: Vec<String>,
+    marks: Vec<String>,
+}
+
+impl FamilyMaps {
+    /// The maps of the families, for all orders up to one beyond that on an open set. Those that are known
+    /// and hold are used, others are searched for. `progress` is called once for each map.
+    ///
+    /// # Errors
+    /// Whatever [`map`] refuses.
+    pub fn all(
+        tables: &[Table],
+        known: &MapStore,
+        progress: &dyn Fn(),
+    ) -> Result<Vec<FamilyMaps>, Diagnostic> {
+        FAMILIES.iter().map(|name| FamilyMaps::new(name, tables, known, progress)).collect()
+    }
+
+    /// How many maps [`all`](Self::all) makes.
+    ///
+    /// # Errors
+    /// Those of [`Plane::new`].
+    pub fn count() -> Result<usize, Diagnostic> {
+        let of = |name: &&str| {
+            let scheme = Scheme::resolve(name, 2)?;
+            Ok(Plane::new(name, scheme.mask())?.order() + 2)
+        };
+        FAMILIES.iter().map(of).sum()
+    }
+
+    fn new(
+        name: &str,
+        tables: &[Table],
+        known: &MapStore,
+        progress: &dyn Fn(),
+    ) -> Result<FamilyMaps, Diagnostic> {
+        let scheme = Scheme::resolve(name, 2)?;
+        let mask = scheme.mask();
+        let order = Plane::new(name, mask)?.order();
+        // Good enough for a picture, and a few megabytes.
+        let fineness = Fineness { undecided: rational(1, 80), ..Fineness::default() };
+        let mut window: Option<Window> = None;
+        let mut maps = Vec::new();
+        for continuity in 0..=order + 1 {
+            let held = known.get(&certificate_name(name, continuity)).and_then(|certificate| {
+                certified_map(name, mask, continuity, certificate.clone()).ok()
+            });
+            let fits = |map: &Map| window.as_ref().is_none_or(|window| map.window() == *window);
+            let found = match held.filter(fits) {
+                Some(map) => map,
+                None => {
+                    let window = match &window {
+                        Some(window) => window.clone(),
+                        None => default_window(name, mask, continuity)?,
+                    };
+                    map(name, mask, continuity, &window, &fineness)?
+                }
+            };
+            window.get_or_insert_with(|| found.window());
+            maps.push(found);
+            progress();
+        }
+        let (curves, marks) = walks(name, maps[0].plane.parameters(), tables)?;
+        Ok(FamilyMaps { maps: Maps::of(&scheme, maps), scheme, curves, marks })
+    }
+
+    /// Adds the page, its pictures and certificates to a site.
+    ///
+    /// # Errors
+    /// Those of the pictures.
+    pub fn publish(&self, site: &mut Site) -> Result<(), Diagnostic> {
+        let name = self.scheme.name();
+        let whole = self.maps.picture(&self.curves, &self.marks)?;
+        site.insert(format!("{MAPS}/{name}.svg"), whole);
+        let near = self.maps.picture_in(self.smoothest(), &self.curves, &self.marks)?;
+        site.insert(format!("{MAPS}/{name}-near.svg"), near);
+        site.insert(format!("{MAPS}/{name}.md"), self.page());
+        site.insert(format!("{MAPS}/{name}.csv"), self.maps.document().csv());
+        for map in &self.maps.maps {
+            let file = certificate_name(name, map.continuity());
+            let json = format!("{}\n", map.certificate.to_json());
+            site.insert(format!("{MAP_CERTIFICATES}/{file}.json"), json);
+        }
+        Ok(())
+    }
+
+    /// The line of the index about it.
+    pub fn index_line(&self) -> String {
+        let name = self.scheme.name();
+        format!("* [{name}]({MAPS}/{name}.md)\n")
+    }
+
+    fn page(&self) -> String {
+        let name = self.scheme.name();
+        let count = self.maps.maps.len();
+        let mut text = format!(
+            "# C^n of {name} over both parameters\n\n![C^0 to C^{} of {name}]({name}.svg)\n\n\
+             Where the highest order on an open set holds:\n\n![the same, nearer]({name}-near.svg)\n\n",
+            count - 1
+        );
+        for (k, curve) in self.curves.iter().enumerate() {
+            text.push_str(&format!("Curve {}: `{curve}`.\n", k + 1));
+        }
+        if !self.marks.is_empty() {
+            let marks = self.marks.iter().map(|mark| format!("`{mark}`")).collect::<Vec<_>>();
+            text.push_str(&format!("Marked: {}.\n", marks.join(", ")));
+        }
+        text.push('\n');
+        text.push_str(&self.maps.document().markdown());
+        text.push_str("\nCertificates, for `refinable verify`:");
+        for map in &self.maps.maps {
+            let n = map.continuity();
+            let file = certificate_name(name, n);
+            text.push_str(&format!(" [C^{n}](certificates/{file}.json)"));
+        }
+        text.push('\n');
+        text
+    }
+
+    /// A box around what is proved of the highest order that holds on an open set.
+    fn smoothest(&self) -> Window {
+        let whole = self.maps.maps[0].window();
+        let proves = |map: &&Map| map.cells.iter().any(|c| c.verdict == CellVerdict::Proved);
+        let Some(map) = self.maps.maps.iter().rev().find(proves) else { return whole };
+        let proved = map.cells.iter().filter(|cell| cell.verdict == CellVerdict::Proved);
+        let corners = proved.flat_map(|cell| cell.polygon.points());
+        let corners: Vec<[Rational; 2]> =
+            corners.filter_map(|point| map.plane.parameters_at(&point)).collect();
+        [0, 1].map(|i| {
+            let values = || corners.iter().map(|corner| &corner[i]);
+            let (low, high) = (values().min(), values().max());
+            let (Some(low), Some(high)) = (low, high) else { return whole[i].clone() };
+            let space = (high - low) * rational(1, 12);
+            [low - &space, high + &space]
+        })
+    }
+}
+
+fn certificate_name(family: &str, continuity: usize) -> String {
+    format!("{family}-C{continuity}")
+}
+
+/// The curves along which the tables walk through the plane of a family, the second parameter in terms of the
+/// first, and the points at which they stop.
+fn walks(
+    family: &str,
+    [u, v]: &[Parameter; 2],
+    tables: &[Table],
+) -> Result<(Vec<String>, Vec<String>), Diagnostic> {
+    let claims = tables.iter().flat_map(|table| &table.cells).flat_map(|cell| &cell.claims);
+    let (mut curves, mut marks) = (BTreeSet::new(), BTreeSet::new());
+    for claim in claims {
+        let Claim::Checkable(assertion) = claim else { continue };
+        if assertion.scheme != family {
+            continue;
+        }
+        let mut substitutions = Vec::new();
+        for text in &assertion.set {
+            substitutions.push(Substitution::parse(text)?);
+        }
+        let Some((curve, points)) = substitutions.split_first() else { continue };
+        if curve.parameter() != v || curve.value().as_constant().is_some() {
+            continue;
+        }
+        curves.insert(format!("{v}={}", curve.value()));
+        if let [point] = points
+            && let Some(a) = point.value().as_constant()
+            && let Ok(b) = curve.value().substitute(point.parameter(), point.value())
+            && let Some(b) = b.as_constant()
+        {
+            marks.insert(format!("{u}={a},{v}={b}"));
+        }
+    }
+    Ok((curves.into_iter().collect(), marks.into_iter().collect()))
+}
