@@ -1,7 +1,8 @@
 //! Where in a box of two parameters a family is C^n, and where it is not.
 
-use std::sync::{Arc, LazyLock};
+use std::sync::{Arc, LazyLock, OnceLock};
 
+use rayon::prelude::*;
 use refinable_algebra::{Parameter, Polynomial, Rational, Ring, rational};
 use refinable_certificate::{
     Cell, CellVerdict, Conclusion, Inequality, Line, MAP_FORMAT, MapCertificate, MapChecker, Node,
@@ -30,6 +31,7 @@ pub struct Map {
     parts: Vec<Polygon>,
     lines: Vec<Option<Line>>,
     verdicts: Vec<Option<CellVerdict>>,
+    areas: OnceLock<[Area; 3]>,
 }
 
 /// What a map says at a point.
@@ -268,7 +270,8 @@ impl Map {
         let lines = certificate.nodes.iter().map(line).collect();
         let parts = parts_of_box(&certificate.family, &certificate.window).map_err(invalid)?;
         let checker = checker.into();
-        Ok(Map { plane, certificate, cells, checker, parts, lines, verdicts })
+        let areas = OnceLock::new();
+        Ok(Map { plane, certificate, cells, checker, parts, lines, verdicts, areas })
     }
 
     /// The order `n`.
@@ -372,21 +375,24 @@ impl Map {
     }
 
     /// The areas, in the plane of the parameters, of what is proved, refuted and undecided.
-    pub fn areas(&self) -> [Area; 3] {
-        let verdict = |cell: &Cell| match cell.verdict {
-            CellVerdict::Proved => 0,
-            CellVerdict::Refuted { .. } => 1,
-            CellVerdict::Undecided => 2,
-        };
-        let mut areas =
-            [0, 1, 2].map(|_| Area { lower: Rational::zero(), upper: Rational::zero() });
-        for cell in &self.cells {
-            let area = area(&cell.polygon.points(), self.plane.factor());
-            let sum = &mut areas[verdict(cell)];
-            sum.lower += area.lower;
-            sum.upper += area.upper;
-        }
-        areas
+    pub fn areas(&self) -> &[Area; 3] {
+        self.areas.get_or_init(|| {
+            let of = |cell: &Cell| area(&cell.polygon.points(), self.plane.factor());
+            let all: Vec<Area> = self.cells.par_iter().map(of).collect();
+            let verdict = |cell: &Cell| match cell.verdict {
+                CellVerdict::Proved => 0,
+                CellVerdict::Refuted { .. } => 1,
+                CellVerdict::Undecided => 2,
+            };
+            let mut areas =
+                [0, 1, 2].map(|_| Area { lower: Rational::zero(), upper: Rational::zero() });
+            for (cell, area) in self.cells.iter().zip(all) {
+                let sum = &mut areas[verdict(cell)];
+                sum.lower += area.lower;
+                sum.upper += area.upper;
+            }
+            areas
+        })
     }
 }
 

@@ -104,8 +104,9 @@ impl FamilyMaps {
         site.insert(format!("{MAPS}/{name}.svg"), whole);
         let near = self.maps.picture_in(self.smoothest(), &self.curves, &self.marks)?;
         site.insert(format!("{MAPS}/{name}-near.svg"), near);
-        site.insert(format!("{MAPS}/{name}.md"), self.page());
-        site.insert(format!("{MAPS}/{name}.csv"), self.maps.document().csv());
+        let document = self.maps.document();
+        site.insert(format!("{MAPS}/{name}.md"), self.page(&document.markdown()));
+        site.insert(format!("{MAPS}/{name}.csv"), document.csv());
         for map in &self.maps.maps {
             let file = certificate_name(name, map.continuity());
             let json = format!("{}\n", map.certificate.to_json());
@@ -120,7 +121,7 @@ impl FamilyMaps {
         format!("* [{name}]({MAPS}/{name}.md)\n")
     }
 
-    fn page(&self) -> String {
+    fn page(&self, table: &str) -> String {
         let name = self.scheme.name();
         let count = self.maps.maps.len();
         let mut text = format!(
@@ -136,7 +137,7 @@ impl FamilyMaps {
             text.push_str(&format!("Marked: {}.\n", marks.join(", ")));
         }
         text.push('\n');
-        text.push_str(&self.maps.document().markdown());
+        text.push_str(table);
         text.push_str("\nCertificates, for `refinable verify`:");
         for map in &self.maps.maps {
             let n = map.continuity();
