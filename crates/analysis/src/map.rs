@@ -1,9 +1,10 @@
 //! Where in a box of two parameters a family is C^n, and where it is not.
 
+use std::collections::BTreeMap;
 use std::sync::{Arc, LazyLock, OnceLock};
 
 use rayon::prelude::*;
-use refinable_algebra::{Parameter, Polynomial, Rational, Ring, rational};
+use refinable_algebra::{Ordered, Parameter, Polynomial, Rational, Ring, rational};
 use refinable_certificate::{
     Cell, CellVerdict, Conclusion, Inequality, Line, MAP_FORMAT, MapCertificate, MapChecker, Node,
     Number, Polygon, Section, Terms, VERSION, parts_of_box, verify_map,
@@ -377,21 +378,17 @@ impl Map {
     /// The areas, in the plane of the parameters, of what is proved, refuted and undecided.
     pub fn areas(&self) -> &[Area; 3] {
         self.areas.get_or_init(|| {
-            let of = |cell: &Cell| area(&cell.polygon.points(), self.plane.factor());
-            let all: Vec<Area> = self.cells.par_iter().map(of).collect();
             let verdict = |cell: &Cell| match cell.verdict {
                 CellVerdict::Proved => 0,
                 CellVerdict::Refuted { .. } => 1,
                 CellVerdict::Undecided => 2,
             };
-            let mut areas =
-                [0, 1, 2].map(|_| Area { lower: Rational::zero(), upper: Rational::zero() });
-            for (cell, area) in self.cells.iter().zip(all) {
-                let sum = &mut areas[verdict(cell)];
-                sum.lower += area.lower;
-                sum.upper += area.upper;
-            }
-            areas
+            [0, 1, 2].map(|k| {
+                let cells: Vec<&Cell> = self.cells.iter().filter(|c| verdict(c) == k).collect();
+                let of = |cell: &&Cell| Integral::around(&cell.polygon, self.plane.factor());
+                let all: Vec<Integral> = cells.par_iter().map(of).collect();
+                all.into_iter().fold(Integral::default(), Integral::plus).area()
+            })
         })
     }
 }
@@ -399,53 +396,69 @@ impl Map {
 /// Binary places of logarithms in areas.
 const PLACES: u32 = 60;
 
-/// The area of a polygon of the plane of `(x, y)` in the plane of the parameters: `∮ y/l(x) dx`, up to its
-/// sign. On an edge `y = a + c l(x)` this is `a/l' log l(x) + c x`.
-fn area(points: &[[Rational; 2]], factor: Option<&Polynomial<Rational>>) -> Area {
-    let next = points.iter().cycle().skip(1);
-    let mut area = Area { lower: Rational::zero(), upper: Rational::zero() };
-    let mut add = |lower: Rational, upper: Rational| {
-        area.lower += lower;
-        area.upper += upper;
-    };
-    for ([x0, y0], [x1, y1]) in points.iter().zip(next) {
-        if x0 == x1 {
-            continue;
+/// `rational + Σ coefficient log argument`.
+#[derive(Clone, Default)]
+struct Integral {
+    rational: Rational,
+    /// The coefficients by the arguments. They vanish at corners inside of a region.
+    logarithms: BTreeMap<Rational, Rational>,
+}
+
+impl Integral {
+    /// The area of a polygon of the plane of `(x, y)` in the plane of the parameters: `-∮ y/|l(x)| dx`. On an
+    /// edge `y = a + c l(x)` the integral of `y/l` is `c x + a/l' log |l(x)|`.
+    fn around(polygon: &Polygon, factor: Option<&Polynomial<Rational>>) -> Self {
+        let points = polygon.points();
+        let next = points.iter().cycle().skip(1);
+        let mut sum = Integral::default();
+        for ([x0, y0], [x1, y1]) in points.iter().zip(next).filter(|(p, q)| p[0] != q[0]) {
+            let Some(l) = factor else {
+                sum.rational -= (y0 + y1) * (x1 - x0) / rational(2, 1);
+                continue;
+            };
+            let (l0, l1, slope) = (l.evaluate(x0), l.evaluate(x1), l.coefficient(1));
+            let c = (y1 - y0) / (&l1 - &l0);
+            let a = (y0 - &c * &l0) / slope;
+            sum.rational -= c * (x1 - x0);
+            if !a.is_zero() {
+                sum.add(l0.absolute(), a.clone());
+                sum.add(l1.absolute(), -a);
+            }
         }
-        let Some(l) = factor else {
-            let part = (y0 + y1) * (x1 - x0) / rational(2, 1);
-            add(part.clone(), part);
-            continue;
+        // Where l is negative, so is the integral.
+        let negative = |l: &Polynomial<Rational>| {
+            points.iter().map(|p| l.evaluate(&p[0])).sum::<Rational>() < Rational::zero()
         };
-        let (l0, l1, slope) = (l.evaluate(x0), l.evaluate(x1), l.coefficient(1));
-        let c = (y1 - y0) / (&l1 - &l0);
-        let a = y0 - &c * &l0;
-        let part = &c * (x1 - x0);
-        add(part.clone(), part);
-        if a.is_zero() {
-            continue;
-        }
-        // Binary logarithms, times log 2.
-        let (low, high) = logarithm(&(&l1 / &l0), 2, PLACES);
-        let factor = a / slope;
-        let ends = [low, high].map(|log| &factor * log);
-        let [two_low, two_high] = &*LOG_TWO;
-        let products = ends.iter().flat_map(|e| [e * two_low, e * two_high]);
-        let products: Vec<Rational> = products.collect();
-        let least = products.iter().min().expect("four products").clone();
-        let most = products.iter().max().expect("four products").clone();
-        add(least, most);
+        if factor.is_some_and(negative) { sum.negated() } else { sum }
     }
-    // Counterclockwise the integral is minus the area, but where l is negative.
-    let sign = factor.map_or(Rational::one(), |l| {
-        let middle: Rational = points.iter().map(|p| l.evaluate(&p[0])).sum();
-        if middle < Rational::zero() { -Rational::one() } else { Rational::one() }
-    });
-    let (a, b) = (-&area.lower * &sign, -&area.upper * &sign);
-    let (lower, upper) = if a <= b { (a, b) } else { (b, a) };
-    match factor {
-        None => Area { lower, upper },
-        Some(_) => Area { lower: floor(&lower), upper: ceil(&upper) },
+
+    fn add(&mut self, argument: Rational, coefficient: Rational) {
+        *self.logarithms.entry(argument).or_default() += coefficient;
+    }
+
+    fn negated(mut self) -> Self {
+        self.rational = -self.rational;
+        self.logarithms.values_mut().for_each(|c| *c = -&*c);
+        self
+    }
+
+    fn plus(mut self, other: Self) -> Self {
+        self.rational += other.rational;
+        other.logarithms.into_iter().for_each(|(argument, c)| self.add(argument, c));
+        self
+    }
+
+    /// Bounds, by binary logarithms times log 2.
+    fn area(self) -> Area {
+        let mut area = Area { lower: self.rational.clone(), upper: self.rational };
+        for (argument, coefficient) in self.logarithms.iter().filter(|(_, c)| !c.is_zero()) {
+            let (low, high) = logarithm(argument, 2, PLACES);
+            let ends = [low, high].map(|log| coefficient * log);
+            let products = || ends.iter().flat_map(|e| LOG_TWO.iter().map(move |two| e * two));
+            area.lower += floor(&products().min().expect("four products"));
+            area.upper += ceil(&products().max().expect("four products"));
+        }
+        area
     }
 }
 

@@ -11,9 +11,9 @@ use refinable_analysis::{Budget, Fineness, Map, Options, Sharpness, continuity_a
 use refinable_certificate::{Certificate, MAP_FORMAT, MapCertificate, verify, verify_map};
 use refinable_papers::{Claims, Paper, Table};
 use refinable_report::{
-    Audit, CERTIFICATES, CertificateStore, Effort, FamilyMaps, HolderMap, MAP_CERTIFICATES,
-    MapStore, Maps, Quantity, Scan, Site, Sweep, degree_table, norm_table, proof_text, range_table,
-    regularity_table, report_site, sharp_range, sharp_range_table, show,
+    Audit, CERTIFICATES, CertificateStore, Effort, FamilyMaps, HolderMap, MapStore, Maps, Quantity,
+    Scan, Site, Sweep, degree_table, norm_table, proof_text, range_table, regularity_table,
+    report_site, sharp_range, sharp_range_table, show,
 };
 use refinable_scheme::{Scheme, Substitution};
 
@@ -296,15 +296,13 @@ fn report(action: &ReportAction) -> Result<ExitCode, Failure> {
     let paper = Paper::builtin()?;
     files::expect_directory(dir, matches!(action, ReportAction::Build { .. }))?;
     // Certificates that hold need not be searched for again; those that do not are.
-    let mut known = known_certificates(audit)?;
+    let (mut known, mut maps) = (CertificateStore::new(), MapStore::new());
     if !audit.fresh {
-        known.extend(files::certificates(&dir.join(CERTIFICATES))?);
+        for dir in [&audit.certificates, &dir.join(CERTIFICATES)] {
+            known.extend(files::certificates(dir)?);
+            maps.extend(files::map_certificates(dir)?);
+        }
     }
-    let maps = if audit.fresh {
-        MapStore::new()
-    } else {
-        files::map_certificates(&dir.join(MAP_CERTIFICATES))?
-    };
     let audited = run_audit(&paper.tables, audit, known)?;
     let bar = progress_bar(FamilyMaps::count()?, "maps");
     let families = FamilyMaps::all(&paper.tables, &maps, &|| bar.inc(1));

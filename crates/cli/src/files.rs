@@ -102,8 +102,7 @@ fn strangers(dir: &Path, folder: &str, site: &Site) -> Result<Vec<String>, Failu
         let entry = entry.map_err(|error| Failure::file(&path, &error))?;
         names.insert(format!("{folder}/{}", entry.file_name().to_string_lossy()));
     }
-    let holds_some = |name: &str| site.keys().any(|file| file.starts_with(&format!("{name}/")));
-    let unknown = names.into_iter().filter(|name| !site.contains_key(name) && !holds_some(name));
+    let unknown = names.into_iter().filter(|name| !site.contains_key(name));
     Ok(unknown.map(|name| format!("{name}: not part of the report")).collect())
 }
 

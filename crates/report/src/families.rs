@@ -9,14 +9,12 @@ use refinable_papers::{Claim, Table};
 use refinable_scheme::{Diagnostic, Scheme, Substitution};
 
 use crate::map::Maps;
-use crate::site::Site;
+use crate::site::{CERTIFICATES, Site};
 
-/// The folder of a report that holds the maps, and that of their certificates.
-pub const MAPS: &str = "maps";
-/// The folder of the certificates of maps.
-pub const MAP_CERTIFICATES: &str = "maps/certificates";
+/// The folder of a report that holds the maps.
+const MAPS: &str = "maps";
 
-/// Certificates of maps by name, such as `a5-C3`.
+/// Certificates of maps by name, such as `map-a5-C3`.
 pub type MapStore = BTreeMap<String, MapCertificate>;
 
 /// The names of the families with two parameters in a paper's first tables.
@@ -110,7 +108,7 @@ impl FamilyMaps {
         for map in &self.maps.maps {
             let file = certificate_name(name, map.continuity());
             let json = format!("{}\n", map.certificate.to_json());
-            site.insert(format!("{MAP_CERTIFICATES}/{file}.json"), json);
+            site.insert(format!("{CERTIFICATES}/{file}.json"), json);
         }
         Ok(())
     }
@@ -142,7 +140,7 @@ impl FamilyMaps {
         for map in &self.maps.maps {
             let n = map.continuity();
             let file = certificate_name(name, n);
-            text.push_str(&format!(" [C^{n}](certificates/{file}.json)"));
+            text.push_str(&format!(" [C^{n}](../{CERTIFICATES}/{file}.json)"));
         }
         text.push('\n');
         text
@@ -168,7 +166,7 @@ impl FamilyMaps {
 }
 
 fn certificate_name(family: &str, continuity: usize) -> String {
-    format!("{family}-C{continuity}")
+    format!("map-{family}-C{continuity}")
 }
 
 /// The curves along which the tables walk through the plane of a family, the second parameter in terms of the

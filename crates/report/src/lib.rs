@@ -41,7 +41,7 @@ mod sweep;
 
 pub use audit::{Agreement, Audit, AuditedCell, AuditedTable, CertificateStore, Effort, Ranges};
 pub use degrees::degree_table;
-pub use families::{FamilyMaps, MAP_CERTIFICATES, MapStore};
+pub use families::{FamilyMaps, MapStore};
 pub use grid::{Cell, Document, Grid};
 pub use landscape::HolderMap;
 pub use map::Maps;

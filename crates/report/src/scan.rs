@@ -57,8 +57,11 @@ struct Axis {
 
 /// The most points of a grid.
 const MOST_POINTS: u64 = 100_000_000;
-/// Of the maps that decide most points of a scan.
-const NODES: usize = 1500;
+/// Nodes of the maps that decide most points of a scan, for each square root of a point: a node takes some
+/// milliseconds, and saves about as many for points that would have to be decided on their own.
+const NODES: f64 = 20.0;
+const LEAST_NODES: usize = 1500;
+const MOST_NODES: usize = 30_000;
 
 impl Scan {
     /// The scan of a grid such as `alpha=0..1/8:200,beta=-1/10..0:200`, with the number of steps from one
@@ -94,7 +97,9 @@ impl Scan {
             return Ok(Vec::new());
         };
         let window: Window = [u, v];
-        let fineness = Fineness { nodes: NODES, ..Fineness::default() };
+        let nodes = (NODES * (self.count() as f64).sqrt()) as usize;
+        let nodes = nodes.clamp(LEAST_NODES, MOST_NODES);
+        let fineness = Fineness { undecided: rational(1, 2000), nodes };
         (0..=plane.order()).map(|n| map(name, mask, n, &window, &fineness)).collect()
     }
 

@@ -140,18 +140,74 @@ enum Sign {
 }
 
 fn sign_on(form: &Form, n: usize, triangle: &[Corner; 3], work: &mut Work) -> Check<Sign> {
-    let bits = largest_bits(triangle.iter().flatten()) * n as u64 + 64;
-    let mut all = true;
-    for set in multisets(3, n) {
-        work.products((n + 1) * (n + 2), bits, bits / n.max(1) as u64)?;
-        let corners: Vec<&Corner> = set.iter().map(|&i| &triangle[i]).collect();
-        let positive = Places::new(&corners).value(form).compare_to_zero().is_gt();
-        if positive && set.first() == set.last() {
-            return Ok(Sign::Positive);
-        }
-        all &= !positive;
+    let bits = largest_bits(triangle.iter().flatten());
+    work.products(3 * (n + 1) * (n + 2) * (n + 2) * (n + 3) / 4, bits * n as u64 + 64, bits)?;
+    let composed = composed(form, n, triangle);
+    let is_positive = |c: &Integer| c.compare_to_zero().is_gt();
+    if [(n, 0), (0, n), (0, 0)].iter().any(|&(i, j)| is_positive(&composed.terms[i][j])) {
+        return Ok(Sign::Positive);
     }
+    let all = !composed.terms.iter().flatten().any(is_positive);
     Ok(if all { Sign::NotPositive } else { Sign::Unknown })
+}
+
+/// A homogeneous polynomial in barycentric coordinates: `terms[i][j]` is the coefficient of
+/// `a^i b^j c^(d-i-j)`.
+#[derive(Clone)]
+struct Barycentric {
+    degree: usize,
+    terms: Vec<Vec<Integer>>,
+}
+
+impl Barycentric {
+    fn constant(c: Integer) -> Self {
+        Barycentric { degree: 0, terms: vec![vec![c]] }
+    }
+
+    /// Times `x_0 a + x_1 b + x_2 c`.
+    fn times_linear(&self, x: [&Integer; 3]) -> Self {
+        let degree = self.degree + 1;
+        let mut terms: Vec<Vec<Integer>> =
+            (0..=degree).map(|i| vec![Integer::zero(); degree + 1 - i]).collect();
+        for (i, row) in self.terms.iter().enumerate() {
+            for (j, t) in row.iter().enumerate().filter(|(_, t)| !t.is_zero()) {
+                terms[i + 1][j] += t * x[0];
+                terms[i][j + 1] += t * x[1];
+                terms[i][j] += t * x[2];
+            }
+        }
+        Barycentric { degree, terms }
+    }
+
+    fn add(&mut self, other: &Self) {
+        let all = self.terms.iter_mut().flatten().zip(other.terms.iter().flatten());
+        all.for_each(|(x, y)| *x += y);
+    }
+}
+
+/// `W^n f(X/W, Y/W)` for the corners' mean `(X, Y, W)` with the weights `a`, `b`, `c`: its coefficients are
+/// the Bernstein coefficients times multinomials. By Horner's rule in `Y` and in `X`.
+fn composed(form: &Form, n: usize, triangle: &[Corner; 3]) -> Barycentric {
+    let of = |k: usize| [0, 1, 2].map(|corner| &triangle[corner][k]);
+    let one = Barycentric::constant(Integer::from(1));
+    let powers: Vec<Barycentric> =
+        std::iter::successors(Some(one), |p| Some(p.times_linear(of(2)))).take(n + 1).collect();
+    let horner = |degree: usize, of: [&Integer; 3], term: &dyn Fn(usize) -> Barycentric| {
+        (0..degree).rev().fold(term(degree), |sum, k| {
+            let mut next = sum.times_linear(of);
+            next.add(&term(k));
+            next
+        })
+    };
+    horner(n, of(1), &|j| {
+        let row = form.coefficient(j);
+        horner(n - j, of(0), &|i| {
+            let mut term = powers[n - j - i].clone();
+            let c = row.coefficient(i);
+            term.terms.iter_mut().flatten().for_each(|t| *t *= &c);
+            term
+        })
+    })
 }
 
 /// The halves on both sides of the middle of the longest edge.
@@ -210,6 +266,26 @@ mod tests {
         assert_eq!(multisets(3, 4).len(), 15);
         assert_eq!(multisets(5, 2).len(), 15);
         assert_eq!(multisets(2, 0), [vec![0_usize; 0]]);
+    }
+
+    /// The coefficients are the values of the polar form at the corners times multinomials.
+    #[test]
+    fn composition_and_polar_forms_agree() {
+        let f = form(&[(2, 3, 0), (-5, 1, 2), (7, 1, 1), (-1, 0, 1), (4, 0, 0)]);
+        let triangle = [corner(1, 2, 3), corner(-4, 5, 3), corner(2, -7, 3)];
+        let composed = composed(&f, 3, &triangle);
+        let factorial = |k: usize| (1..=k as i64).product::<i64>();
+        for i in 0..=3 {
+            for j in 0..=3 - i {
+                let set = [vec![0; i], vec![1; j], vec![2; 3 - i - j]].concat();
+                let places = Places::new(&set.iter().map(|&k| &triangle[k]).collect::<Vec<_>>());
+                // Over 3! 3³.
+                let value = Rational::new(places.value(&f), integer(6));
+                let multinomial = 6 / (factorial(i) * factorial(j) * factorial(3 - i - j));
+                let expected = value * rational(multinomial, 1);
+                assert_eq!(Rational::from(composed.terms[i][j].clone()), expected, "{i} {j}");
+            }
+        }
     }
 
     #[test]
