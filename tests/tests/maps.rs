@@ -351,9 +351,32 @@ fn complex_pairs_refute_and_are_met() {
     fails(&|e| e.corners[0][0][0] += 1 << 35);
     fails(&|e| e.corners.iter_mut().flatten().flatten().for_each(|x| *x = -*x));
     fails(&|e| drop(e.corners.pop()));
+    // What is positive at the vector is no proof, nor is what the letters do not shrink.
+    fails(&|e| e.corners.iter_mut().for_each(|forms| forms[0][0] += 1 << 30));
+    // A form that is negative everywhere passes the test of the vector only.
+    let proved = certificate.nodes.iter().position(|node| matches!(node, Node::Ellipsoids(_)));
+    let proved = proved.unwrap();
+    let size = certificate_corners(&map, proved);
+    let dimension = 8;
+    let negative = |i: usize, j: usize| if i == j { -1_000_000 } else { 0 };
+    let triangle: Vec<i64> =
+        (0..dimension).flat_map(|i| (i..dimension).map(move |j| negative(i, j))).collect();
+    let vector = (0..dimension as i64).map(|i| i64::from(i == 0)).collect();
+    let corners = vec![vec![triangle]; size];
+    for word in ["0", "1"] {
+        let mut changed = certificate.clone();
+        let (vector, corners) = (Clone::clone(&vector), corners.clone());
+        changed.nodes[proved] = Node::Expansion(Expansion { word: word.into(), vector, corners });
+        let reason = verify_map(&changed).unwrap_err().to_string();
+        assert!(reason.contains("mapped below"), "{reason}");
+    }
     fails(&|e| e.word.clear());
     fails(&|e| e.word = "4".into());
     fails(&|e| e.word.push('0'));
+}
+
+fn certificate_corners(map: &Map, node: usize) -> usize {
+    map.cells.iter().find(|cell| cell.node == node).unwrap().polygon.points().len()
 }
 
 /// The smoothest `S_{a3}` is the quintic B-spline, at one point; on the line where σ³ divides, the next.

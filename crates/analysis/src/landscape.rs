@@ -23,6 +23,8 @@ pub struct Landscape {
     pub exponents: Vec<Rational>,
     /// The smoothest members that were found, those of the whole box first.
     pub summits: Vec<Summit>,
+    /// Where a smooth member was found but its exponent was not enclosed.
+    pub missed: Vec<Locus>,
 }
 
 /// A smooth member.
@@ -49,8 +51,7 @@ pub enum Locus {
 
 /// How near to the least growth summits are, as powers of two, tried in turn.
 const TOLERANCES: [u32; 5] = [12, 9, 7, 6, 4];
-/// How far lines of constant `x` are followed, as `|t|`, and steps on each line within the box.
-const FARTHEST: i64 = 64;
+/// Steps on each line.
 const STEPS: i64 = 512;
 
 /// The box that shows where the family is smooth, with some margin.
@@ -91,18 +92,20 @@ pub fn landscape(
     let exponents = decay(&pencil, window, nodes).into_iter().map(|d| &whole + d).collect();
     let mut places = vec![(Locus::Plane, slowest(&pencil, window, &TOLERANCES))];
     places.extend(special_places(&plane, window));
-    let mut summits = Vec::new();
+    let (mut summits, mut missed) = (Vec::new(), Vec::new());
     for (locus, choices) in places {
         // Where eigenvalues meet the radius may escape: a place not quite so smooth does as well.
-        for parameters in choices {
-            let member = at(&plane, mask, &parameters)?;
-            if let Ok(regularity) = regularity(name, &member, &Options::default()) {
-                summits.push(Summit { locus, parameters, regularity });
-                break;
-            }
+        let summit = choices.into_iter().find_map(|parameters| {
+            let member = at(&plane, mask, &parameters).ok()?;
+            let regularity = regularity(name, &member, &Options::default()).ok()?;
+            Some(Summit { locus: locus.clone(), parameters, regularity })
+        });
+        match summit {
+            Some(summit) => summits.push(summit),
+            None => missed.push(locus),
         }
     }
-    Ok(Landscape { plane, window: window.clone(), nodes, exponents, summits })
+    Ok(Landscape { plane, window: window.clone(), nodes, exponents, summits, missed })
 }
 
 impl Landscape {
@@ -168,14 +171,15 @@ fn slowest_on(
         let point = [0, 1].map(|i| &origin[i] + &direction[i] * t);
         plane.parameters_at(&point).filter(|parameters| contains(window, parameters))
     };
-    let far = Rational::from_i64(FARTHEST);
-    let [low, high] = if direction[0].is_zero() {
-        [-&far, far]
+    // Where the line enters and leaves the strip of the first parameter, or, if this is constant, the box.
+    let mut ends = if direction[0].is_zero() {
+        let l = plane.factor().map_or_else(Rational::one, |l| l.evaluate(&origin[0]));
+        window[1].each_ref().map(|v| (v * &l - &origin[1]) / &direction[1])
     } else {
-        let mut ends = window[0].each_ref().map(|x| (x - &origin[0]) / &direction[0]);
-        ends.sort();
-        ends
+        window[0].each_ref().map(|x| (x - &origin[0]) / &direction[0])
     };
+    ends.sort();
+    let [low, high] = ends;
     let step = (&high - &low) / Rational::from_i64(STEPS);
     let nodes: Vec<Rational> = (0..=STEPS).map(|k| &low + &step * Rational::from_i64(k)).collect();
     let runs = nodes.split(|t| point(t).is_none()).filter(|run| run.len() > 1);

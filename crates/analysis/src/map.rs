@@ -194,7 +194,8 @@ fn generic_point(plane: &Plane, window: &Window, checker: &MapChecker) -> Option
     })
 }
 
-/// Without stable shifts a large eigenvalue refutes nothing.
+/// Without stable shifts a large eigenvalue refutes nothing, unless it is so large that the scheme diverges;
+/// those pieces are given up as well.
 fn forget_refuted(nodes: &mut [Node]) {
     for node in nodes {
         if matches!(node, Node::Word(_) | Node::Expansion(_)) {
@@ -224,6 +225,13 @@ type Form = Polynomial<Polynomial<Rational>>;
 /// The line or point where affine polynomials in `x` and `y` vanish together: a point of it, and how it
 /// goes on.
 pub(crate) fn common_line(conditions: &[Form]) -> Option<([Rational; 2], [Rational; 2])> {
+    let affine = |c: &Form| {
+        let rows = c.coefficients().iter().enumerate();
+        rows.into_iter().all(|(j, row)| row.degree().is_none_or(|i| i + j <= 1))
+    };
+    if !conditions.iter().all(affine) {
+        return None;
+    }
     let rows: Vec<[Rational; 3]> = conditions
         .iter()
         .map(|c| {
@@ -458,6 +466,8 @@ impl Integral {
             area.lower += floor(&products().min().expect("four products"));
             area.upper += ceil(&products().max().expect("four products"));
         }
+        // Of very small areas the bounds may be coarser than the area.
+        area.lower = area.lower.max(Rational::zero());
         area
     }
 }

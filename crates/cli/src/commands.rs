@@ -64,7 +64,16 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
             let found = regularity(scheme.name(), scheme.mask(), &Options::default())?;
             output::print(&regularity_table(&scheme, &found), format.format)?;
         }
-        Command::Map { scheme, map, drawing, format, .. } if map.what == Mapped::Holder => {
+        Command::Map { scheme, map, drawing, certificate, format }
+            if map.what == Mapped::Holder =>
+        {
+            let curves = drawing.curves.is_empty() && drawing.marks.is_empty();
+            if map.continuity.is_some() || certificate.is_some() || !curves {
+                let message =
+                    "--continuity, --certificate, --curve and --mark are for --what continuity";
+                let hint = "leave them out, or leave out --what holder";
+                return Err(Failure::new("usage", message, hint));
+            }
             let picture = picture(drawing.output.as_deref())?;
             let holder = HolderMap::new(&resolve(scheme)?, map.window.as_deref())?;
             if let Some((path, image)) = picture {

@@ -20,18 +20,30 @@ pub fn write_site(dir: &Path, site: &Site) -> Result<(), Failure> {
     write_all(dir, site.iter().map(|(name, text)| (name.as_str(), text.as_bytes())))
 }
 
+/// Where a file is really written: what a link points to, and never a directory or a device.
+///
+/// # Errors
+/// A place that is no regular file.
+pub fn target(path: &Path) -> Result<PathBuf, Failure> {
+    if !path.exists() {
+        return Ok(path.to_path_buf());
+    }
+    let path = path.canonicalize().map_err(|error| Failure::file(path, &error))?;
+    if path.is_file() {
+        return Ok(path);
+    }
+    let what = if path.is_dir() { "a directory" } else { "a device" };
+    let message = format!("{} is {what}, not a file", path.display());
+    Err(Failure::new("file", message, "move it away, or choose another place"))
+}
+
 fn write_all<'a>(
     dir: &Path,
     files: impl Iterator<Item = (&'a str, &'a [u8])>,
 ) -> Result<(), Failure> {
     let mut staged: Vec<(NamedTempFile, PathBuf)> = Vec::new();
     for (name, bytes) in files {
-        let path = dir.join(name);
-        if path.is_dir() {
-            let hint = "move the directory away, or choose another place for the report";
-            let message = format!("{} is a directory, not a file", path.display());
-            return Err(Failure::new("file", message, hint));
-        }
+        let path = target(&dir.join(name))?;
         let parent = path.parent().unwrap_or(dir);
         fs::create_dir_all(parent).map_err(|error| Failure::file(parent, &error))?;
         let mut file = NamedTempFile::new_in(parent).map_err(|e| Failure::file(parent, &e))?;

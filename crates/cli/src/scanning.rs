@@ -34,10 +34,7 @@ pub fn write(
         }
         return rows(scan, 0, json, &bar, output::print_text);
     };
-    if path.is_dir() {
-        let message = format!("{} is a directory, not a file", path.display());
-        return Err(Failure::new("file", message, "name a file in it"));
-    }
+    let path = &files::target(path)?;
     let (part, note) = (beside(path, "part"), beside(path, "scan"));
     let done = if resume { continued(&part, &note, signature, json)? } else { None };
     let (mut file, from) = match done {

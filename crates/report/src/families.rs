@@ -31,7 +31,7 @@ pub struct FamilyMaps {
 }
 
 impl FamilyMaps {
-    /// The maps of the families, for all orders up to one beyond that on an open set. Those that are known
+    /// The maps of the families, for all orders up to one more than the power of `σ` that divides everywhere. Those that are known
     /// and hold are used, others are searched for. `progress` is called once for each map.
     ///
     /// # Errors
@@ -73,7 +73,10 @@ impl FamilyMaps {
             let held = known.get(&certificate_name(name, continuity)).and_then(|certificate| {
                 certified_map(name, mask, continuity, certificate.clone()).ok()
             });
-            let fits = |map: &Map| window.as_ref().is_none_or(|window| map.window() == *window);
+            let fits = |map: &Map| {
+                window.as_ref().is_none_or(|window| map.window() == *window)
+                    && is_fine(map, &fineness)
+            };
             let found = match held.filter(fits) {
                 Some(map) => map,
                 None => {
@@ -160,9 +163,17 @@ impl FamilyMaps {
             let (low, high) = (values().min(), values().max());
             let (Some(low), Some(high)) = (low, high) else { return whole[i].clone() };
             let space = (high - low) * rational(1, 12);
-            [low - &space, high + &space]
+            let [least, most] = &whole[i];
+            [(low - &space).max(least.clone()), (high + &space).min(most.clone())]
         })
     }
+}
+
+/// Whether a map leaves as little undecided as is asked for, or has taken as many nodes.
+fn is_fine(map: &Map, fineness: &Fineness) -> bool {
+    let [proved, _, undecided] = map.areas();
+    let allowed = &proved.lower * &fineness.undecided * rational(2, 1);
+    undecided.upper <= allowed || map.certificate.nodes.len() >= fineness.nodes
 }
 
 fn certificate_name(family: &str, continuity: usize) -> String {

@@ -19,6 +19,8 @@ use crate::svg::place;
 const NODES: [usize; 2] = [193, 145];
 /// Longer exact exponents are left to the JSON.
 const LONGEST: usize = 60;
+/// The highest contour.
+const HIGHEST: i64 = 40;
 /// Contours between two integers.
 const PARTS: i64 = 4;
 /// Shades from light to dark, one for each unit of the exponent.
@@ -50,13 +52,14 @@ impl HolderMap {
 
     /// One row for each summit.
     pub fn document(&self) -> Document {
-        let Landscape { plane, summits, window, .. } = &self.landscape;
+        let Landscape { plane, summits, missed, window, .. } = &self.landscape;
         let [u, v] = plane.parameters();
         let row = |summit: &Summit| {
             let (lower, upper) = outward(&summit.regularity);
             let [a, b] = &summit.parameters;
             let exact = exact_text(&summit.regularity, self.arity);
             let exponent = match exact.filter(|text| text.chars().count() <= LONGEST) {
+                Some(whole) if lower == upper => whole,
                 Some(text) => format!("{text} ≈ {}", decimal(&lower, 8)),
                 None => format!("[{}, {}]", decimal(&lower, 10), decimal(&upper, 10)),
             };
@@ -71,6 +74,9 @@ impl HolderMap {
             "parameters are searched for and rounded, exponents are proved: there may be smoother members"
                 .to_string(),
         ];
+        remarks.extend(missed.iter().map(|locus| {
+            format!("{}: no bounds for the exponent of the smoothest member", locus_text(locus))
+        }));
         remarks.push(format!("coordinates of lines: {}", coordinates(plane).join(", ")));
         let rows = summits.iter().map(row).collect();
         let grid = Grid { id: "holder".into(), caption, header, rows, remarks };
@@ -78,7 +84,7 @@ impl HolderMap {
     }
 
     fn json(&self) -> Value {
-        let Landscape { plane, window, nodes, exponents, summits } = &self.landscape;
+        let Landscape { plane, window, nodes, exponents, summits, .. } = &self.landscape;
         let [u, v] = plane.parameters();
         let span = |[low, high]: &[Rational; 2]| json!({"lo": rational_number(low), "hi": rational_number(high)});
         let summit = |summit: &Summit| {
@@ -116,8 +122,8 @@ impl HolderMap {
         let frame = Frame::new(window.clone());
         let mut svg = Frame::begin(&format!("Hölder exponent of {}", self.scheme), "");
         let field = Field::new(&self.landscape);
-        let (low, high) = (1, field.highest().max(1));
-        for level in low - 1..=high {
+        let high = field.highest().min(HIGHEST);
+        for level in 0..=high {
             let shade = SHADES[(level as usize).min(SHADES.len() - 1)];
             let path = field.above(level as f64);
             let _ = writeln!(svg, "<path d=\"{path}\" fill=\"{shade}\"/>");

@@ -234,7 +234,7 @@ fn because(node: &Node) -> String {
         Node::Norm => "norm".into(),
         Node::Ellipsoids(ellipsoids) => format!("ellipsoids of memory {}", ellipsoids.memory),
         Node::Word(inequality) => format!("word {}", inequality.word),
-        Node::Expansion(expansion) => format!("expansion {}", expansion.word),
+        Node::Expansion(expansion) => format!("expansion along the letters {}", expansion.word),
         Node::Indivisible => "division".into(),
         Node::Undecided | Node::Cut { .. } => String::new(),
     }
@@ -302,7 +302,7 @@ fn parse_orders(text: &str) -> Result<Vec<usize>, Diagnostic> {
     };
     orders.filter(|all: &Vec<usize>| !all.is_empty() && all.len() <= MOST_ORDERS).ok_or_else(|| {
         Diagnostic::new("continuity", format!("`{text}` is no order of continuity and no range"))
-            .with_hint("for example --continuity 2 or --continuity 0..5")
+            .with_hint("for example --continuity 2 or --continuity 0..5, at most 24 orders at once")
     })
 }
 

@@ -7,8 +7,8 @@ use std::fmt::Write;
 
 use refinable_algebra::{ParameterFraction, ParameterPolynomial, Rational, Ring, rational};
 use refinable_analysis::{Map, MapVerdict, Window, region_of};
-use refinable_certificate::{CellVerdict, Conclusion};
-use refinable_reals::Bound;
+use refinable_certificate::{CellVerdict, Conclusion, Section};
+use refinable_reals::{Bound, Region};
 use refinable_scheme::Diagnostic;
 
 use crate::frame::{Frame, HEIGHT, LEFT, TOP, WIDTH};
@@ -113,13 +113,14 @@ impl Maps {
                 let middle = mean(&points);
                 let covered = self.maps.get(k + 1).is_some_and(|next| is_proved(next, &middle));
                 let place = corners(map, frame, &[middle]).first().copied();
-                let Some((x, y)) = place.filter(|_| !covered) else { continue };
+                let shown = place.filter(|(x, y)| !covered && frame.contains(*x, *y));
+                let Some((x, y)) = shown else { continue };
                 let area = shoelace(&corners(map, frame, &points));
                 if best.is_none_or(|(most, ..)| area > most) {
                     best = Some((area, x, y));
                 }
             }
-            if let Some((_, x, y)) = best.filter(|(_, x, y)| frame.contains(*x, *y)) {
+            if let Some((_, x, y)) = best {
                 let _ = writeln!(
                     svg,
                     "<text x=\"{x:.2}\" y=\"{:.2}\" text-anchor=\"middle\" font-weight=\"bold\" \
@@ -155,8 +156,11 @@ impl Maps {
             }
         };
         for map in &self.maps {
-            let on = if map.certificate.sections.is_empty() { "" } else { ", on a line" };
-            let text = format!("{} proved{on}", order(map.continuity()));
+            let on_line = map.certificate.sections.iter().any(|s| !proved_on(s).is_empty());
+            let on = if on_line { ", on a line" } else { "" };
+            let proved = map.cells.iter().any(|cell| cell.verdict == CellVerdict::Proved);
+            let verb = if proved || on_line { "proved" } else { "nowhere proved" };
+            let text = format!("{} {verb}{on}", order(map.continuity()));
             row(svg, &block(self.shade(map).into()), &text);
         }
         row(svg, &block("url(#undecided)".into()), "undecided");
@@ -236,15 +240,20 @@ fn draw(svg: &mut String, map: &Map, frame: &Frame, verdict: CellVerdict, fill: 
     );
 }
 
+/// Where on its line a section proves the order.
+fn proved_on(section: &Section) -> Region {
+    match &section.certificate.conclusion {
+        Conclusion::Continuity { proved, .. } => region_of(proved),
+        _ => Region::empty(),
+    }
+}
+
 /// The lines, or points, on which a map proves an order that holds nowhere else, as a path.
 fn sections(map: &Map, frame: &Frame) -> String {
     let mut path = String::new();
     for section in &map.certificate.sections {
-        let Conclusion::Continuity { proved, .. } = &section.certificate.conclusion else {
-            continue;
-        };
         let at = |t: &Rational| [0, 1].map(|i| &section.origin[i].0 + &section.direction[i].0 * t);
-        for interval in region_of(proved).intervals() {
+        for interval in proved_on(section).intervals() {
             let end = |bound: &Bound| bound.number().map(|x| x.enclosure(&rational(1, 1 << 30)).0);
             let (Some(low), Some(high)) = (end(&interval.lower), end(&interval.upper)) else {
                 continue;

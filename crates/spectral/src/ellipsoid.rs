@@ -7,6 +7,9 @@ use crate::quadratic::{self, add_square, add_vector, symmetric};
 /// Letters of a word that an ellipsoid may know; what they are for is in `docs/certificates.md`.
 const MOST_MEMORY: u32 = 3;
 
+/// More ellipsoids the checker refuses.
+const MOST_WORDS: usize = 64;
+
 /// Newton's method stops at this decrement on the way,
 const ROUGH: f64 = 0.3;
 /// and at this one at its end.
@@ -46,6 +49,10 @@ impl Graph {
         }
     }
 
+    fn is_deepest(self) -> bool {
+        self.memory == MOST_MEMORY || self.words * self.letters > MOST_WORDS
+    }
+
     /// Words that are one letter longer, each with the ellipsoid of its end.
     fn deeper(
         self,
@@ -83,7 +90,7 @@ impl Centre {
             let hessian = graph.centre(letters, radius, &mut ellipsoids, ROUGH)?;
             let next = graph.lower(letters, radius, &mut ellipsoids, &hessian)?;
             if next - 1.0 > SLOW * (radius - 1.0) {
-                if graph.memory == MOST_MEMORY {
+                if graph.is_deepest() {
                     return None;
                 }
                 (graph, ellipsoids) = graph.deeper(letters, &ellipsoids);
@@ -106,7 +113,7 @@ impl Centre {
 
     /// The centre for words that are one letter longer.
     pub fn deeper(&self, letters: &[DMatrix<f64>]) -> Option<Centre> {
-        if self.graph.memory == MOST_MEMORY {
+        if self.graph.is_deepest() {
             return None;
         }
         let (graph, mut ellipsoids) = self.graph.deeper(letters, &self.ellipsoids);
@@ -190,7 +197,7 @@ impl Graph {
             let moved = |part: f64| -> Vec<DMatrix<f64>> {
                 ellipsoids.iter().zip(&step).map(|(q, d)| q + d * part).collect()
             };
-            // Half the Newton step, a quarter…, but not less than what is known to be safe.
+            // The whole Newton step, or less of it, but not less than what is known to be safe.
             let safe = 1.0 / (1.0 + decrement);
             let bold = std::iter::successors(Some(1.0), |part| Some(0.6 * part));
             let bold = bold.take_while(|part| *part > safe).find(|&part| {

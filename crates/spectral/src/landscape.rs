@@ -24,7 +24,8 @@ const SHRINK: f64 = 0.6;
 const ROUNDS: usize = 40;
 
 /// `-log_m` of the growth per letter of the fastest of the short words at the nodes of a grid, the ends of the
-/// box included, row by row from its lower end; a multiple of `2^-24`, and not more than floats can tell.
+/// box included, row by row from its lower end; a multiple of `2^-24`. Longer words may grow faster: the decay
+/// of all products is this at the most, as far as floats can tell.
 pub fn decay(pencil: &PlanePencil, window: &Window, [columns, rows]: [usize; 2]) -> Vec<Rational> {
     let words = Word::necklaces(pencil.letters(), DRAWN, pencil.is_mirrored());
     let spans = floats(window);
@@ -51,13 +52,18 @@ pub fn slowest(pencil: &PlanePencil, window: &Window, tolerances: &[u32]) -> Vec
     let spans = floats(window);
     let extents = spans.map(|[low, high]| high - low);
     let middle = spans.map(|[low, high]| 0.5 * (low + high));
-    let mut first = samples(middle, extents, GRID, &growth);
+    // Never beyond the box.
+    let samples = |middle: Place, extents: Place, count: usize| {
+        let inside = |place: Place| [0, 1].map(|i| place[i].clamp(spans[i][0], spans[i][1]));
+        samples(middle, extents, count, &inside, &growth)
+    };
+    let mut first = samples(middle, extents, GRID);
     first.sort_by(|a, b| a.1.total_cmp(&b.1));
     let lowest = first.into_iter().take(STARTS).map(|start| {
         let mut best = start;
         let mut extents = extents.map(|e| e * 4.0 / GRID as f64);
         for _ in 0..ROUNDS {
-            let around = samples(best.0, extents, FINE, &growth);
+            let around = samples(best.0, extents, FINE);
             best = around.into_iter().fold(best, |a, b| if b.1 < a.1 { b } else { a });
             extents = extents.map(|e| e * SHRINK);
         }
@@ -80,7 +86,10 @@ pub fn slowest(pencil: &PlanePencil, window: &Window, tolerances: &[u32]) -> Vec
     };
     let near = tolerances.iter().filter_map(|t| {
         let limit = least * (1.0 + 2f64.powi(-(*t as i32)));
-        let is_near = |p: &[Rational; 2]| growth(p.each_ref().map(approximate)) <= limit;
+        let in_box =
+            |p: &[Rational; 2]| p.iter().zip(window).all(|(x, [low, high])| low <= x && x <= high);
+        let is_near =
+            |p: &[Rational; 2]| in_box(p) && growth(p.each_ref().map(approximate)) <= limit;
         (1..=LONGEST).flat_map(around).find(is_near)
     });
     near.collect()
@@ -93,6 +102,7 @@ fn samples(
     middle: Place,
     extents: Place,
     count: usize,
+    inside: &(impl Fn(Place) -> Place + Sync),
     growth: &(impl Fn(Place) -> f64 + Sync),
 ) -> Vec<(Place, f64)> {
     let counts = extents.map(|e| if e == 0.0 { 1 } else { count });
@@ -100,6 +110,7 @@ fn samples(
         let steps = [index % counts[0], index / counts[0]];
         let place = [0, 1]
             .map(|i| middle[i] + extents[i] * ((steps[i] as f64 + 0.5) / counts[i] as f64 - 0.5));
+        let place = inside(place);
         (place, growth(place))
     };
     (0..counts[0] * counts[1]).into_par_iter().map(at).collect()

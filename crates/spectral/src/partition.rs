@@ -5,7 +5,7 @@
 //! stays undecided between them is as thin as the boundary is straight.
 
 use rayon::prelude::*;
-use refinable_algebra::{Polynomial, Rational};
+use refinable_algebra::{Polynomial, Rational, Ring};
 use refinable_certificate::{Inequality, Line, MapChecker, Node, Number, Polygon, Terms};
 
 use crate::float::{approximate, dyadic};
@@ -213,14 +213,15 @@ impl Work<'_> {
         let Some((line, [Some(inside), Some(beyond)])) = inner else {
             return self.halve(open, open.hope);
         };
+        let part = |polygon: Polygon| Open { hope: open.hope, ..self.open(polygon) };
         let beyond = match self.parts(&beyond, normal, high + margin) {
             Some((line, [Some(strip), Some(outside)])) => {
-                let outside = decided_or_open(self.open(outside), |open| self.refute(open));
-                Piece::Cut(line, Box::new([Piece::Open(self.open(strip)), outside]))
+                let outside = decided_or_open(part(outside), |open| self.refute(open));
+                Piece::Cut(line, Box::new([Piece::Open(part(strip)), outside]))
             }
-            _ => Piece::Open(self.open(beyond)),
+            _ => Piece::Open(part(beyond)),
         };
-        let inside = decided_or_open(self.open(inside), |open| self.prove(open).ok());
+        let inside = decided_or_open(part(inside), |open| self.prove(open).ok());
         Piece::Cut(line, Box::new([inside, beyond]))
     }
 
@@ -284,7 +285,11 @@ impl Work<'_> {
         normal: Place,
         at: f64,
     ) -> Option<([Number; 3], [Option<Polygon>; 2])> {
-        let scale = self.scale.map(|s| dyadic(s, 60));
+        // Powers of two, however small.
+        let scale = self.scale.map(|s| {
+            let power = Rational::from_i64(2).power(s.log2().abs() as u32);
+            if s < 1.0 { power.recip() } else { power }
+        });
         let [a, b] = [0, 1].map(|i| dyadic(normal[i], 12) / &scale[i]);
         let c = dyadic(at, 26);
         let line = Line::new(&a, &b, &c)?;

@@ -143,7 +143,8 @@ pub struct Ellipsoids {
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Expansion {
-    /// The letters, that applied first first.
+    /// The letters, that applied first first; not those of an inequality but, where matrices are mirrored,
+    /// `A_0`, `A_0 J`, `A_1`, … as for ellipsoids.
     pub word: String,
     /// `v` with `v^T P v < 0` for the form before the first letter.
     pub vector: Vec<i64>,

@@ -4,23 +4,26 @@
 const PLACES: u32 = 60;
 
 /// Whether every symmetric matrix of which no entry differs by more than `error` from that of the given
-/// one is shown to be positive definite. Entries are below `2^126` in absolute value.
+/// one is shown to be positive definite; the upper triangle is used. Entries are below `2^126` and the error
+/// is not negative.
 ///
-/// Elimination of `M - μ I` with rounded entries is the exact one of a matrix of which every entry
-/// differs from that of `M - μ I` by less than one for every step, which has size `n`, and by the
-/// error: if all pivots are positive, `M - μ I + E` is positive semidefinite with `‖E‖ ≤ μ`.
+/// Elimination of `M - μ I` with rounded entries is the exact one of a matrix `M - μ I + E`: an entry is off by
+/// less than one for each step and for the scaling, and by the scaled error. If all pivots are positive, this
+/// matrix is positive definite, and so is `M`, since `‖E‖ < μ`.
 pub(crate) fn is_positive_definite(mut matrix: Vec<Vec<i128>>, error: i128) -> bool {
     let n = matrix.len();
     let largest = matrix.iter().flatten().map(|x| x.unsigned_abs()).max().unwrap_or(0);
-    let shift = (128 - largest.leading_zeros()).saturating_sub(PLACES);
+    let bits = 128 - largest.leading_zeros();
+    let (down, up) = (bits.saturating_sub(PLACES), PLACES.saturating_sub(bits));
     // Rounding down, here and at each step, is less than one off.
-    let off = (error >> shift) + 2 + n as i128;
-    let margin = off * n as i128;
+    let scaled = (error >> down).checked_mul(1 << up);
+    let off = scaled.and_then(|error| error.checked_add(2 + n as i128));
+    let margin = off.and_then(|off| off.checked_mul(n as i128)).unwrap_or(i128::MAX);
     if margin >= 1 << PLACES {
         return false;
     }
     for (i, row) in matrix.iter_mut().enumerate() {
-        row.iter_mut().for_each(|x| *x >>= shift);
+        row.iter_mut().for_each(|x| *x = (*x >> down) << up);
         row[i] -= margin;
     }
     for k in 0..n {
@@ -76,7 +79,9 @@ mod tests {
         assert!(!is_positive_definite(matrix(4, 5, 4), 0));
         assert!(!is_positive_definite(matrix(-4, 0, 4), 0));
         assert!(!is_positive_definite(matrix(0, 0, 0), 0));
-        assert!(!is_positive_definite(vec![vec![5, 0], vec![0, 5]], 0));
+        // Small integers are scaled up, and the error with them.
+        assert!(is_positive_definite(vec![vec![5, 3], vec![3, 2]], 0));
+        assert!(!is_positive_definite(vec![vec![5, 3], vec![3, 2]], 1));
         let extreme = i128::MAX >> 1;
         assert!(!is_positive_definite(vec![vec![1, extreme], vec![extreme, 1]], extreme));
     }
