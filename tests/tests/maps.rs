@@ -78,7 +78,7 @@ fn agrees_with_single_values(text: &str, map: &Map, count: u64) {
 /// What is undecided against what is proved.
 fn undecided_part(map: &Map) -> Rational {
     let [proved, _, undecided] = map.areas();
-    undecided.upper / proved.lower
+    &undecided.upper / &proved.lower
 }
 
 fn three(continuity: usize) -> Map {
@@ -413,6 +413,6 @@ fn the_smoothest_a3_is_a_b_spline() {
 fn areas_make_up_the_box_of_the_parameters() {
     let map = map_of("a3", 1, [[(0, 1), (1, 2)], [(0, 1), (1, 4)]]);
     let [proved, refuted, undecided] = map.areas();
-    let total = proved.lower + refuted.lower + undecided.lower;
+    let total = &proved.lower + &refuted.lower + &undecided.lower;
     assert_eq!(decimal(&total, 12), "0.125");
 }

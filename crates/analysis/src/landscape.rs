@@ -44,7 +44,7 @@ pub enum Locus {
     /// Nowhere.
     Plane,
     /// On the line through a point of the plane of `(x, y)` in a direction.
-    Line([Rational; 2], [Rational; 2]),
+    Line(Box<[[Rational; 2]; 2]>),
     /// At a point.
     Point,
 }
@@ -121,10 +121,10 @@ fn at(
     mask: &Normalised,
     parameters: &[Rational; 2],
 ) -> Result<Normalised, Diagnostic> {
-    let pairs = plane.parameters().iter().zip(parameters);
-    pairs.fold(Ok(mask.clone()), |mask, (parameter, value)| {
+    let mut pairs = plane.parameters().iter().zip(parameters);
+    pairs.try_fold(mask.clone(), |mask, (parameter, value)| {
         let value = ParameterFraction::from(ParameterPolynomial::constant(value.clone()));
-        mask?.substitute(parameter, &value)
+        mask.substitute(parameter, &value)
     })
 }
 
@@ -144,7 +144,7 @@ fn special_places(plane: &Plane, window: &Window) -> Vec<(Locus, Vec<[Rational; 
             break;
         }
         let places = slowest_on(plane, window, origin, direction).into_iter();
-        let locus = Locus::Line(origin.clone(), direction.clone());
+        let locus = Locus::Line(Box::new([origin.clone(), direction.clone()]));
         found.extend(places.map(|choices| (locus.clone(), choices)));
         seen = Some(common);
     }

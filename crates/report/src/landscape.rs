@@ -174,8 +174,10 @@ impl HolderMap {
         };
         line(&mut svg, "contours: ¼ thin, 1 thick");
         for (k, summit) in summits.iter().enumerate() {
-            let lower = decimal(&outward(&summit.regularity).0, 4);
-            line(&mut svg, &format!("{}: {lower}…{}", letter(k), where_text(&summit.locus)));
+            let (lower, upper) = outward(&summit.regularity);
+            let dots = if lower == upper { "" } else { "…" };
+            let value = decimal(&lower, 4);
+            line(&mut svg, &format!("{}: {value}{dots}{}", letter(k), where_text(&summit.locus)));
         }
         svg.push_str("</svg>\n");
         svg
@@ -205,7 +207,8 @@ fn where_text(locus: &Locus) -> &'static str {
 fn locus_text(locus: &Locus) -> String {
     match locus {
         Locus::Plane => "plane".into(),
-        Locus::Line([x, y], [dx, dy]) => {
+        Locus::Line(line) => {
+            let [[x, y], [dx, dy]] = &**line;
             format!("line (x, y) = ({x}, {y}) + t ({dx}, {dy})")
         }
         Locus::Point => "point".into(),

@@ -182,8 +182,8 @@ impl Maps {
             "box": {u.name(): span(&u0, &u1), v.name(): span(&v0, &v1)},
             "coordinates": [x, y],
             "area": {
-                "proved": area_number(&proved), "refuted": area_number(&refuted),
-                "undecided": area_number(&undecided),
+                "proved": area_number(proved), "refuted": area_number(refuted),
+                "undecided": area_number(undecided),
             },
             "level_one": map.plane.level_one(map.continuity()).map(|p| corner_texts(&p)),
             "refuted_if_stable": needs_stability(map),
