@@ -51,23 +51,24 @@ pub(crate) fn is_positive_definite(mut matrix: Vec<Vec<i128>>, error: i128) -> b
 mod tests {
     use super::*;
 
-    /// `H_ij = 1/(i+j+1)`, scaled; its least eigenvalue for n = 6 is 1.08e-7.
-    fn hilbert(n: usize, less: f64) -> Vec<Vec<i128>> {
+    /// `H_ij = 1/(i+j+1)`, scaled, less a multiple of 1e-10 on the diagonal; its least eigenvalue for n = 6 is
+    /// 1.083e-7.
+    fn hilbert(n: usize, less: i128) -> Vec<Vec<i128>> {
         let one = 1_i128 << 100;
         let entry = |i: usize, j: usize| one / (i + j + 1) as i128;
         let mut rows: Vec<Vec<i128>> =
             (0..n).map(|i| (0..n).map(|j| entry(i, j)).collect()).collect();
-        rows.iter_mut().enumerate().for_each(|(i, row)| row[i] -= (less * one as f64) as i128);
+        rows.iter_mut().enumerate().for_each(|(i, row)| row[i] -= less * one / 10_000_000_000);
         rows
     }
 
     #[test]
     fn hilbert_matrices_are_positive_definite() {
-        assert!(is_positive_definite(hilbert(6, 1.08e-7), 1));
-        assert!(!is_positive_definite(hilbert(6, 1.09e-7), 1));
+        assert!(is_positive_definite(hilbert(6, 1080), 1));
+        assert!(!is_positive_definite(hilbert(6, 1090), 1));
         // An error larger than the least eigenvalue may make it singular.
-        assert!(is_positive_definite(hilbert(6, 0.0), 1 << 72));
-        assert!(!is_positive_definite(hilbert(6, 0.0), 1 << 77));
+        assert!(is_positive_definite(hilbert(6, 0), 1 << 72));
+        assert!(!is_positive_definite(hilbert(6, 0), 1 << 77));
     }
 
     #[test]
