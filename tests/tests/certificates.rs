@@ -3,13 +3,17 @@
 use std::fs;
 use std::path::Path;
 
-use refinable_certificate::{Certificate, Conclusion, Interval, verify};
+use refinable_certificate::{
+    Certificate, Conclusion, Interval, MapCertificate, verify, verify_map,
+};
 
-fn committed() -> Vec<(String, Vec<u8>)> {
+/// Those of maps, or the others.
+fn committed(maps: bool) -> Vec<(String, Vec<u8>)> {
     let dir = Path::new(env!("CARGO_MANIFEST_DIR")).join("../reports/certificates");
     let mut files: Vec<_> = fs::read_dir(dir)
         .unwrap()
         .map(|entry| entry.unwrap().path())
+        .filter(|path| path.to_string_lossy().contains("/map-") == maps)
         .map(|path| (path.display().to_string(), fs::read(&path).unwrap()))
         .collect();
     files.sort();
@@ -18,18 +22,24 @@ fn committed() -> Vec<(String, Vec<u8>)> {
 
 #[test]
 fn all_committed_certificates_hold() {
-    let files = committed();
+    let files = committed(false);
     assert!(files.len() > 50, "only {} certificates", files.len());
     for (name, bytes) in files {
         let certificate = Certificate::read(&bytes).unwrap_or_else(|e| panic!("{name}: {e}"));
         verify(&certificate).unwrap_or_else(|e| panic!("{name}: {e}"));
+    }
+    let maps = committed(true);
+    assert!(maps.len() > 12, "only {} maps", maps.len());
+    for (name, bytes) in maps {
+        let map = MapCertificate::read(&bytes).unwrap_or_else(|e| panic!("{name}: {e}"));
+        verify_map(&map).unwrap_or_else(|e| panic!("{name}: {e}"));
     }
 }
 
 /// What is proved, claimed to be refuted, and the other way round.
 #[test]
 fn no_certificate_proves_the_opposite() {
-    let small = committed().into_iter().filter(|(_, bytes)| bytes.len() < 20_000);
+    let small = committed(false).into_iter().filter(|(_, bytes)| bytes.len() < 20_000);
     let mut changed = 0;
     for (name, bytes) in small {
         let mut certificate = Certificate::read(&bytes).unwrap();
