@@ -375,6 +375,35 @@ fn complex_pairs_refute_and_are_met() {
     fails(&|e| e.word.push('0'));
 }
 
+/// Matrices of one row: those of the ternary `[a, b, 1, 1-a, 1-b]` are `a`, `b - a` and `1 - b`. `Q = 1` shows that
+/// they shrink where all are small; where all are large `Q = -1` is mapped below itself by each of them, which
+/// proves that they grow, and not that they shrink.
+#[test]
+fn forms_of_one_row_by_hand() {
+    let family = Scheme::resolve("[a, b, 1, 1-a, 1-b]", 3).unwrap();
+    let fineness = Fineness { nodes: 1, ..Fineness::default() };
+    let claim = |window: [[(i64, i64); 2]; 2], node: Node| {
+        let made = map("by hand", family.mask(), 0, &self::window(window), &fineness).unwrap();
+        let mut certificate = made.certificate;
+        (certificate.roots, certificate.nodes) = (vec![0], vec![node]);
+        verify_map(&certificate).map(|cells| cells[0].verdict).map_err(|e| e.to_string())
+    };
+    let small = [[(2, 5), (3, 5)], [(2, 5), (3, 5)]];
+    let large = [[(5, 1), (6, 1)], [(-6, 1), (-5, 1)]];
+    let ellipsoids =
+        |q| Node::Ellipsoids(Ellipsoids { memory: 0, corners: vec![vec![vec![q]]; 4] });
+    let expansion = |q| {
+        let corners = vec![vec![vec![q]]; 4];
+        Node::Expansion(Expansion { word: "1".into(), vector: vec![1], corners })
+    };
+    assert_eq!(claim(small, ellipsoids(1)), Ok(CellVerdict::Proved));
+    assert_eq!(claim(large, expansion(-1)), Ok(CellVerdict::Refuted { if_stable: false }));
+    assert!(claim(large, ellipsoids(-1)).unwrap_err().contains("not positive definite"));
+    assert!(claim(large, ellipsoids(1)).unwrap_err().contains("mapped below"));
+    assert!(claim(small, expansion(-1)).unwrap_err().contains("mapped below"));
+    assert!(claim(small, expansion(1)).unwrap_err().contains("not negative"));
+}
+
 fn certificate_corners(map: &Map, node: usize) -> usize {
     map.cells.iter().find(|cell| cell.node == node).unwrap().polygon.points().len()
 }

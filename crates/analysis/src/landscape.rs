@@ -5,7 +5,7 @@ use refinable_scheme::{Diagnostic, Normalised};
 use refinable_spectral::{Options, PlanePencil, Window, decay, outline, slowest};
 
 use crate::line::{Line, letters};
-use crate::map::{check_window, common_line};
+use crate::map::divisible_plane;
 use crate::plane::Plane;
 use crate::regularity::{Regularity, regularity};
 
@@ -80,13 +80,8 @@ pub fn landscape(
     window: &Window,
     nodes: [usize; 2],
 ) -> Result<Landscape, Diagnostic> {
-    let plane = Plane::new(name, mask)?;
-    check_window(window)?;
+    let plane = divisible_plane(name, mask, window)?;
     let order = plane.order();
-    if order == 0 {
-        let message = "(1 + z) does not divide the symbol for all values of the parameters";
-        return Err(Diagnostic::new("divisibility", message));
-    }
     let pencil = plane.pencil_in_parameters(order, &Rational::one());
     let whole = Rational::from_i64(order as i64 - 1);
     let exponents = decay(&pencil, window, nodes).into_iter().map(|d| &whole + d).collect();
@@ -133,7 +128,7 @@ fn special_places(plane: &Plane, window: &Window) -> Vec<(Locus, Vec<[Rational; 
     let mut found = Vec::new();
     let mut seen = None;
     for order in plane.order() + 1.. {
-        let Some(common) = common_line(&plane.divisibility(order)) else { break };
+        let Some(common) = plane.divisible_along(order) else { break };
         if seen.as_ref() == Some(&common) {
             continue;
         }

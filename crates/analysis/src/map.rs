@@ -96,7 +96,7 @@ fn bound(plane: &Plane, order: usize, continuity: usize) -> Rational {
 /// Divides a box into pieces on which C^n is proved, refuted or left undecided.
 ///
 /// # Errors
-/// Code `parameters` or `pole` if the family has no map, `box` if the box is empty, `certificate` if
+/// Those of `divisible_plane`: code `parameters`, `pole`, `box` or `divisibility`; `certificate` if
 /// the proof does not hold or the family is too large for it.
 ///
 /// # Source
@@ -109,13 +109,8 @@ pub fn map(
     window: &Window,
     fineness: &Fineness,
 ) -> Result<Map, Diagnostic> {
-    let plane = Plane::new(name, mask)?;
-    check_window(window)?;
+    let plane = divisible_plane(name, mask, window)?;
     let order = plane.order();
-    if order == 0 {
-        let message = "(1 + z) does not divide the symbol for all values of the parameters";
-        return Err(Diagnostic::new("divisibility", message));
-    }
     let family = plane.family(order);
     let checker = MapChecker::new(&family, continuity).map_err(invalid)?;
     let stable_at = generic_point(&plane, window, &checker).map(|p| p.map(Number));
@@ -173,7 +168,26 @@ fn invalid(invalid: refinable_certificate::Invalid) -> Diagnostic {
     Diagnostic::new("certificate", format!("the certificate does not hold: {invalid}"))
 }
 
-pub(crate) fn check_window([u, v]: &Window) -> Result<(), Diagnostic> {
+/// The plane of a family that can be looked at in a box.
+///
+/// # Errors
+/// Code `parameters` or `pole` if the family has no map, `box` if the box is empty, `divisibility` if `σ` does
+/// not divide.
+pub(crate) fn divisible_plane(
+    name: &str,
+    mask: &Normalised,
+    window: &Window,
+) -> Result<Plane, Diagnostic> {
+    let plane = Plane::new(name, mask)?;
+    check_window(window)?;
+    if plane.order() == 0 {
+        let message = "(1 + z) does not divide the symbol for all values of the parameters";
+        return Err(Diagnostic::new("divisibility", message));
+    }
+    Ok(plane)
+}
+
+fn check_window([u, v]: &Window) -> Result<(), Diagnostic> {
     for [low, high] in [u, v] {
         if low >= high {
             let message = format!("the box is empty: {low} is not less than {high}");
@@ -206,7 +220,7 @@ fn forget_refuted(nodes: &mut [Node]) {
 
 /// C^n on the line, or at the point, where `σ^(n+1)` divides, if there is one and masks are affine.
 fn on_line(plane: &Plane, continuity: usize) -> Vec<Section> {
-    let Some((origin, direction)) = common_line(&plane.divisibility(continuity + 1)) else {
+    let Some((origin, direction)) = plane.divisible_along(continuity + 1) else {
         return Vec::new();
     };
     let Some(masks) = plane.along(&origin, &direction) else { return Vec::new() };
@@ -221,47 +235,6 @@ fn on_line(plane: &Plane, continuity: usize) -> Vec<Section> {
 }
 
 type Form = Polynomial<Polynomial<Rational>>;
-
-/// The line or point where affine polynomials in `x` and `y` vanish together: a point of it, and how it
-/// goes on.
-pub(crate) fn common_line(conditions: &[Form]) -> Option<([Rational; 2], [Rational; 2])> {
-    let affine = |c: &Form| {
-        let rows = c.coefficients().iter().enumerate();
-        rows.into_iter().all(|(j, row)| row.degree().is_none_or(|i| i + j <= 1))
-    };
-    if !conditions.iter().all(affine) {
-        return None;
-    }
-    let rows: Vec<[Rational; 3]> = conditions
-        .iter()
-        .map(|c| {
-            let at = |i: usize, j: usize| c.coefficient(j).coefficient(i);
-            [at(1, 0), at(0, 1), at(0, 0)]
-        })
-        .collect();
-    let minor =
-        |a: &[Rational; 3], b: &[Rational; 3], i: usize, j: usize| &a[i] * &b[j] - &a[j] * &b[i];
-    let first = rows.first()?;
-    let [a, b, c] = first;
-    let independent = rows.iter().find(|row| !minor(first, row, 0, 1).is_zero());
-    if let Some(second) = independent {
-        let determinant = minor(first, second, 0, 1);
-        let point =
-            [minor(first, second, 1, 2), minor(first, second, 2, 0)].map(|x| x / &determinant);
-        let on =
-            |row: &[Rational; 3]| (&row[0] * &point[0] + &row[1] * &point[1] + &row[2]).is_zero();
-        return rows.iter().all(on).then(|| (point, [Rational::zero(), Rational::zero()]));
-    }
-    let same = rows
-        .iter()
-        .all(|row| minor(first, row, 0, 2).is_zero() && minor(first, row, 1, 2).is_zero());
-    match (a.is_zero(), b.is_zero()) {
-        _ if !same => None,
-        (_, false) => Some(([Rational::zero(), -c / b], [Rational::one(), -a / b])),
-        (false, true) => Some(([-c / a, Rational::zero()], [Rational::zero(), Rational::one()])),
-        (true, true) => None,
-    }
-}
 
 impl Map {
     fn checked(

@@ -189,6 +189,12 @@ impl Plane {
         (0..degree).map(condition).filter(|c| !c.is_zero()).collect()
     }
 
+    /// The line, or the point, of the plane of `(x, y)` on which `σ^order` divides the symbol: a point of it, and
+    /// how it goes on. `None` if it is neither, or masks are not affine.
+    pub(crate) fn divisible_along(&self, order: usize) -> Option<([Rational; 2], [Rational; 2])> {
+        if self.is_affine() { common_line(&self.divisibility(order)) } else { None }
+    }
+
     /// The mask at a point of the plane of `(x, y)`, moving along a direction: `p + t q`.
     ///
     /// `None` if the masks are not affine.
@@ -262,4 +268,40 @@ fn chart(parts: &Parts) -> Option<(Polynomial<Rational>, Parts)> {
     }
     plane.insert((0, 1), product.scaled(&scale));
     Some((factor, plane))
+}
+
+/// The line or point where affine polynomials in `x` and `y` vanish together: a point of it, and how it
+/// goes on.
+fn common_line(
+    conditions: &[Polynomial<Polynomial<Rational>>],
+) -> Option<([Rational; 2], [Rational; 2])> {
+    let rows: Vec<[Rational; 3]> = conditions
+        .iter()
+        .map(|c| {
+            let at = |i: usize, j: usize| c.coefficient(j).coefficient(i);
+            [at(1, 0), at(0, 1), at(0, 0)]
+        })
+        .collect();
+    let minor =
+        |a: &[Rational; 3], b: &[Rational; 3], i: usize, j: usize| &a[i] * &b[j] - &a[j] * &b[i];
+    let first = rows.first()?;
+    let [a, b, c] = first;
+    let independent = rows.iter().find(|row| !minor(first, row, 0, 1).is_zero());
+    if let Some(second) = independent {
+        let determinant = minor(first, second, 0, 1);
+        let point =
+            [minor(first, second, 1, 2), minor(first, second, 2, 0)].map(|x| x / &determinant);
+        let on =
+            |row: &[Rational; 3]| (&row[0] * &point[0] + &row[1] * &point[1] + &row[2]).is_zero();
+        return rows.iter().all(on).then(|| (point, [Rational::zero(), Rational::zero()]));
+    }
+    let same = rows
+        .iter()
+        .all(|row| minor(first, row, 0, 2).is_zero() && minor(first, row, 1, 2).is_zero());
+    match (a.is_zero(), b.is_zero()) {
+        _ if !same => None,
+        (_, false) => Some(([Rational::zero(), -c / b], [Rational::one(), -a / b])),
+        (false, true) => Some(([-c / a, Rational::zero()], [Rational::zero(), Rational::one()])),
+        (true, true) => None,
+    }
 }

@@ -13,7 +13,7 @@ use crate::grid::{Cell, Document, Grid};
 use crate::map::{coordinates, parse_window};
 use crate::number::rational_number;
 use crate::regularity::{exact_text, outward};
-use crate::svg::place;
+use crate::svg::{SHADES, halo, place};
 
 /// Nodes of the grid in each direction.
 const NODES: [usize; 2] = [193, 145];
@@ -23,10 +23,6 @@ const LONGEST: usize = 60;
 const HIGHEST: i64 = 40;
 /// Contours between two integers.
 const PARTS: i64 = 4;
-/// Shades from light to dark, one for each unit of the exponent.
-const SHADES: [&str; 8] =
-    ["#f7f9fb", "#dbe9f6", "#bad6eb", "#89bedc", "#539ecd", "#2b7bba", "#0b559f", "#083a73"];
-
 /// The landscape of a family, ready to be shown.
 #[derive(Clone, Debug)]
 pub struct HolderMap {
@@ -118,82 +114,48 @@ impl HolderMap {
 
     /// The picture: shades for each unit of the exponent, contours, and the summits.
     pub fn picture(&self) -> String {
-        let Landscape { plane, window, summits, .. } = &self.landscape;
+        let Landscape { plane, window, .. } = &self.landscape;
         let frame = Frame::new(window.clone());
         let mut svg = Frame::begin(&format!("Hölder exponent of {}", self.scheme), "");
-        let field = Field::new(&self.landscape);
-        let high = field.highest().min(HIGHEST);
-        for level in 0..=high {
-            let shade = SHADES[(level as usize).min(SHADES.len() - 1)];
-            let path = field.above(level as f64);
-            let _ = writeln!(svg, "<path d=\"{path}\" fill=\"{shade}\"/>");
-        }
-        let mut labels = Vec::new();
-        for k in 0..=high * PARTS + PARTS - 1 {
-            let level = k as f64 / PARTS as f64;
-            let lines = field.contour(level);
-            let width = if k % PARTS == 0 { 1.3 } else { 0.4 };
-            let mut path = String::new();
-            for line in &lines {
-                for (i, [x, y]) in line.iter().enumerate() {
-                    let _ = write!(path, "{}{x:.2} {y:.2}", if i == 0 { "M" } else { "L" });
-                }
-            }
-            let _ = writeln!(
-                svg,
-                "<path d=\"{path}\" fill=\"none\" stroke=\"#000000\" stroke-width=\"{width}\"/>"
-            );
-            let longest = lines.into_iter().max_by_key(Vec::len).filter(|line| line.len() > 8);
-            if let Some(line) = longest.filter(|_| k % PARTS == 0) {
-                labels.push((line[line.len() / 2], k / PARTS));
-            }
-        }
-        for ([x, y], level) in labels {
-            halo(&mut svg, [x, y + 4.0], "middle", &level.to_string());
-        }
-        for (k, summit) in summits.iter().enumerate() {
+        Field::new(&self.landscape).draw(&mut svg);
+        self.draw_summits(&mut svg, &frame);
+        frame.finish(&mut svg, plane.parameters());
+        self.legend(&mut svg);
+        svg.push_str("</svg>\n");
+        svg
+    }
+
+    fn draw_summits(&self, svg: &mut String, frame: &Frame) {
+        for (k, summit) in self.landscape.summits.iter().enumerate() {
             let [a, b] = &summit.parameters;
             let (x, y) = (frame.across(a), frame.down(b));
+            let cross = format!("M{:.2} {y:.2}h10M{x:.2} {:.2}v10", x - 5.0, y - 5.0);
             let _ = writeln!(
                 svg,
-                "<path d=\"M{:.2} {y:.2}h10M{x:.2} {:.2}v10\" stroke=\"#ffffff\" stroke-width=\"4\"/>\
-                 <path d=\"M{:.2} {y:.2}h10M{x:.2} {:.2}v10\" stroke=\"#000000\" stroke-width=\"1.6\"/>",
-                x - 5.0,
-                y - 5.0,
-                x - 5.0,
-                y - 5.0,
+                "<path d=\"{cross}\" stroke=\"#ffffff\" stroke-width=\"4\"/>\
+                 <path d=\"{cross}\" stroke=\"#000000\" stroke-width=\"1.6\"/>"
             );
-            halo(&mut svg, [x + 8.0, y - 6.0], "start", &letter(k));
+            svg.push_str(&halo([x + 8.0, y - 6.0], "start", &letter(k)));
         }
-        frame.finish(&mut svg, plane.parameters());
-        let x = LEFT + WIDTH + 14.0;
-        let mut y = TOP + 10.0;
-        let mut line = |svg: &mut String, text: &str| {
-            let _ = writeln!(svg, "<text x=\"{x:.0}\" y=\"{y:.0}\">{text}</text>");
-            y += 18.0;
-        };
-        line(&mut svg, "contours: ¼ thin, 1 thick");
-        for (k, summit) in summits.iter().enumerate() {
+    }
+
+    fn legend(&self, svg: &mut String) {
+        let summits = self.landscape.summits.iter().enumerate().map(|(k, summit)| {
             let (lower, upper) = outward(&summit.regularity);
             let dots = if lower == upper { "" } else { "…" };
             let value = decimal(&lower, 4);
-            line(&mut svg, &format!("{}: {value}{dots}{}", letter(k), where_text(&summit.locus)));
+            format!("{}: {value}{dots}{}", letter(k), where_text(&summit.locus))
+        });
+        let lines = std::iter::once("contours: ¼ thin, 1 thick".to_string()).chain(summits);
+        for (k, text) in lines.enumerate() {
+            let (x, y) = (LEFT + WIDTH + 14.0, TOP + 10.0 + 18.0 * k as f64);
+            let _ = writeln!(svg, "<text x=\"{x:.0}\" y=\"{y:.0}\">{text}</text>");
         }
-        svg.push_str("</svg>\n");
-        svg
     }
 }
 
 fn letter(k: usize) -> String {
     char::from_u32('A' as u32 + k as u32 % 26).unwrap_or('A').to_string()
-}
-
-fn halo(svg: &mut String, [x, y]: [f64; 2], anchor: &str, text: &str) {
-    let _ = writeln!(
-        svg,
-        "<text x=\"{x:.2}\" y=\"{y:.2}\" text-anchor=\"{anchor}\" font-weight=\"bold\" \
-         stroke=\"#ffffff\" stroke-width=\"3\" paint-order=\"stroke\">{text}</text>"
-    );
 }
 
 fn where_text(locus: &Locus) -> &'static str {
@@ -224,6 +186,38 @@ struct Field {
 impl Field {
     fn new(landscape: &Landscape) -> Self {
         Field { nodes: landscape.nodes, values: landscape.exponents.iter().map(place).collect() }
+    }
+
+    /// Shades, contours, and labels at contours of integers.
+    fn draw(&self, svg: &mut String) {
+        let high = self.highest().min(HIGHEST);
+        for level in 0..=high {
+            let shade = SHADES[(level as usize).min(SHADES.len() - 1)];
+            let path = self.above(level as f64);
+            let _ = writeln!(svg, "<path d=\"{path}\" fill=\"{shade}\"/>");
+        }
+        let mut labels = String::new();
+        for k in 0..(high + 1) * PARTS {
+            let whole = k % PARTS == 0;
+            let lines = self.contour(k as f64 / PARTS as f64);
+            let mut path = String::new();
+            for line in &lines {
+                for (i, [x, y]) in line.iter().enumerate() {
+                    let _ = write!(path, "{}{x:.2} {y:.2}", if i == 0 { "M" } else { "L" });
+                }
+            }
+            let width = if whole { 1.3 } else { 0.4 };
+            let _ = writeln!(
+                svg,
+                "<path d=\"{path}\" fill=\"none\" stroke=\"#000000\" stroke-width=\"{width}\"/>"
+            );
+            let longest = lines.iter().max_by_key(|line| line.len()).filter(|line| line.len() > 8);
+            if let Some(line) = longest.filter(|_| whole) {
+                let [x, y] = line[line.len() / 2];
+                labels.push_str(&halo([x, y + 4.0], "middle", &(k / PARTS).to_string()));
+            }
+        }
+        svg.push_str(&labels);
     }
 
     /// The largest integer that is reached.

@@ -13,7 +13,7 @@ use refinable_scheme::Diagnostic;
 
 use crate::frame::{Frame, HEIGHT, LEFT, TOP, WIDTH};
 use crate::map::{Maps, parse_curve, parse_point};
-use crate::svg::{escape, place, raised};
+use crate::svg::{SHADES, escape, halo, place, raised};
 
 /// The length of straight pieces of an edge that is drawn as a curve, and how many there are at most.
 const EDGE: f64 = 16.0;
@@ -21,9 +21,8 @@ const MOST_PIECES: f64 = 16.0;
 /// Straight pieces of a curve.
 const CURVE: i64 = 400;
 const LINE: i64 = 60;
-/// Shades from light to dark.
-const SHADES: [&str; 8] =
-    ["#dbe9f6", "#bad6eb", "#89bedc", "#539ecd", "#2b7bba", "#0b559f", "#083a73", "#05264d"];
+/// How curves are told apart.
+const DASHES: [&str; 4] = ["none", "7 3", "2 3", "9 3 2 3"];
 
 impl Maps {
     /// The picture, with curves such as `beta=(8*alpha-1)/(16*(1-alpha))` and marked points such as
@@ -56,7 +55,7 @@ impl Maps {
         }
         for (k, curve) in curves.iter().enumerate() {
             let path = self.curve(&frame, curve)?;
-            let dashes = ["none", "7 3", "2 3", "9 3 2 3"][k % 4];
+            let dashes = DASHES[k % DASHES.len()];
             let _ = writeln!(
                 svg,
                 "<path d=\"{path}\" fill=\"none\" stroke=\"#000000\" stroke-width=\"1.4\" \
@@ -121,13 +120,7 @@ impl Maps {
                 }
             }
             if let Some((_, x, y)) = best {
-                let _ = writeln!(
-                    svg,
-                    "<text x=\"{x:.2}\" y=\"{:.2}\" text-anchor=\"middle\" font-weight=\"bold\" \
-                     stroke=\"#ffffff\" stroke-width=\"3\" paint-order=\"stroke\">{}</text>",
-                    y + 4.0,
-                    order(map.continuity())
-                );
+                svg.push_str(&halo([x, y + 4.0], "middle", &order(map.continuity())));
             }
         }
     }
@@ -166,7 +159,7 @@ impl Maps {
         row(svg, &block("url(#undecided)".into()), "undecided");
         row(svg, &block("#ffffff".into()), "refuted");
         for k in 0..curves.len() {
-            let dashes = ["none", "7 3", "2 3", "9 3 2 3"][k % 4];
+            let dashes = DASHES[k % DASHES.len()];
             let line = move |y: f64| {
                 format!(
                     "<path d=\"M{x:.0} {y:.0}h20\" stroke=\"#000000\" stroke-width=\"1.4\" \
