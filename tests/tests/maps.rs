@@ -6,7 +6,7 @@ use refinable_algebra::{
 };
 use refinable_analysis::{
     Fineness, Locus, Map, MapVerdict, Plane, PointVerdict, Sharpness, Window, continuity_at,
-    continuity_range, landscape, map,
+    continuity_range, default_window, landscape, map,
 };
 use refinable_certificate::{
     CellVerdict, Ellipsoids, Expansion, MapCertificate, Node, Number, verify_map,
@@ -53,8 +53,8 @@ fn points(window: &Window, count: u64) -> impl Iterator<Item = [Rational; 2]> + 
     })
 }
 
-/// Every decided point is decided in the same way on its own, and most are decided.
-fn agrees_with_single_values(text: &str, map: &Map, count: u64) {
+/// How many points are proved and refuted, each of them in the same way on its own.
+fn decided_alike(text: &str, map: &Map, count: u64) -> [u64; 2] {
     let family = scheme(text);
     let window = map.window();
     let mut decided = [0, 0];
@@ -70,7 +70,12 @@ fn agrees_with_single_values(text: &str, map: &Map, count: u64) {
         let (found, _) = continuity_at(text, single.mask(), map.continuity(), &sharpness).unwrap();
         assert_eq!(found, expected, "{text} C^{} at {point:?}", map.continuity());
     }
-    let [proved, refuted] = decided;
+    decided
+}
+
+/// Every decided point is decided in the same way on its own, and most are decided.
+fn agrees_with_single_values(text: &str, map: &Map, count: u64) {
+    let [proved, refuted] = decided_alike(text, map, count);
     assert!(proved + refuted > count * 9 / 10, "{text}: {proved} proved, {refuted} refuted");
     assert!(proved > count / 20 && refuted > count / 20, "{text}: {proved}, {refuted}");
 }
@@ -444,4 +449,29 @@ fn areas_make_up_the_box_of_the_parameters() {
     let [proved, refuted, undecided] = map.areas();
     let total = &proved.lower + &refuted.lower + &undecided.lower;
     assert_eq!(decimal(&total, 12), "0.125");
+}
+
+/// Every map of the paper's families in its default box, at 200 points each.
+#[test]
+fn all_maps_agree_with_single_values() {
+    for (text, orders) in [("a3", 0..=3), ("a5", 0..=5), ("a7", 0..=6)] {
+        let family = scheme(text);
+        let order = *orders.end();
+        let fineness = Fineness::default();
+        let window = default_window(text, family.mask(), order).unwrap();
+        std::thread::scope(|scope| {
+            for parity in [0, 1] {
+                let (family, window, fineness) = (&family, &window, &fineness);
+                let orders = orders.clone().filter(move |n| n % 2 == parity);
+                scope.spawn(move || {
+                    for n in orders {
+                        let map = map(text, family.mask(), n, window, fineness).unwrap();
+                        let [proved, refuted] = decided_alike(text, &map, 200);
+                        println!("{text} C^{n}: {proved} proved, {refuted} refuted");
+                        assert!(proved + refuted > 180, "{text} C^{n}: {proved}, {refuted}");
+                    }
+                });
+            }
+        });
+    }
 }
