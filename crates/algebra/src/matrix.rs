@@ -1,5 +1,6 @@
 //! Matrices over a ring, with the two exact algorithms that need no field.
 
+use crate::number::Rational;
 use crate::polynomial::Polynomial;
 use crate::ring::{Domain, Ring};
 
@@ -159,10 +160,53 @@ impl<R: Domain> Matrix<R> {
     }
 }
 
+impl Matrix<Rational> {
+    /// A basis of the vectors `v` with `self · v = 0`, one for each column without a pivot.
+    ///
+    /// # Cost
+    /// `O(n³)` operations in Q, by Gauss and Jordan.
+    pub fn null_space(&self) -> Vec<Vec<Rational>> {
+        let mut m = self.clone();
+        let mut pivots = Vec::new();
+        for column in 0..m.columns {
+            let row = pivots.len();
+            let Some(at) = (row..m.rows).find(|&i| !m.entry(i, column).is_zero()) else { continue };
+            m.swap_rows(at, row);
+            m.clear_column(row, column);
+            pivots.push(column);
+        }
+        let free = (0..m.columns).filter(|column| !pivots.contains(column));
+        free.map(|column| {
+            let mut vector = vec![Rational::zero(); m.columns];
+            vector[column] = Rational::one();
+            for (row, &pivot) in pivots.iter().enumerate() {
+                vector[pivot] = m.entry(row, column).negated();
+            }
+            vector
+        })
+        .collect()
+    }
+
+    /// Makes the entry at `(row, column)`, which is not zero, 1, and the rest of its column 0.
+    fn clear_column(&mut self, row: usize, column: usize) {
+        let pivot = self.entry(row, column).clone();
+        for j in column..self.columns {
+            self.entries[row * self.columns + j] /= &pivot;
+        }
+        for i in (0..self.rows).filter(|&i| i != row) {
+            let factor = self.entry(i, column).negated();
+            for j in (column..self.columns).filter(|_| !factor.is_zero()) {
+                let product = self.entry(row, j).times(&factor);
+                self.entries[i * self.columns + j] += product;
+            }
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::{Integer, integer};
+    use crate::number::{Integer, integer, rational};
 
     #[test]
     fn a_companion_matrix_has_its_polynomial() {
@@ -188,5 +232,16 @@ mod tests {
         let singular = Matrix::from_fn(3, 3, |i, j| integer((i + j) as i64));
         assert_eq!(singular.determinant(), integer(0));
         assert_eq!(Matrix::<Integer>::identity(0).determinant(), integer(1));
+    }
+
+    #[test]
+    fn null_spaces_are_mapped_to_zero() {
+        // Rank 2: the third row is the sum of the others, the second column twice the first.
+        let rows = [[1, 2, 0, 3], [2, 4, 1, -1], [3, 6, 1, 2]];
+        let m = Matrix::from_fn(3, 4, |i, j| rational(rows[i][j], 1));
+        let space = m.null_space();
+        let expected = [[-2, 1, 0, 0], [-3, 0, 7, 1]];
+        assert_eq!(space, expected.map(|v| v.map(|x| rational(x, 1)).to_vec()));
+        assert_eq!(Matrix::<Rational>::identity(3).null_space(), Vec::<Vec<Rational>>::new());
     }
 }
