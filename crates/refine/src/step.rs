@@ -51,26 +51,28 @@ impl<T: Coordinate> Weights<T> {
     }
 
     fn step_points<const D: usize>(&self, old: View<'_, T>, new: &Range<i64>, out: &mut [T]) {
-        let m = self.arity() as i64;
-        let (mut i, mut class) = (new.start.div_euclid(m), new.start.rem_euclid(m) as usize);
-        for point in out.chunks_exact_mut(D) {
-            let stencil = &self.stencils[class];
-            let start = (i + stencil.first - old.first) as usize * D;
-            let window = &old.values[start..start + stencil.weights.len() * D];
-            let mut terms = stencil.weights.iter().zip(window.chunks_exact(D));
-            let mut sum: [T; D] = array::from_fn(|_| T::origin());
-            if let Some((w, x)) = terms.next() {
-                sum = array::from_fn(|k| T::product(w, &x[k]));
-            }
-            for (w, x) in terms {
-                for k in 0..D {
-                    sum[k].add_product(w, &x[k]);
+        let m = self.arity();
+        // One class of remainders after the other: all its points have the same stencil.
+        for (k, i) in (new.start..new.end).take(m).enumerate() {
+            let stencil = &self.stencils[i.rem_euclid(m as i64) as usize];
+            let start = (i.div_euclid(m as i64) + stencil.first - old.first) as usize;
+            let (old, out) = (&old.values[start * D..], &mut out[k * D..]);
+            let weights = &stencil.weights[..];
+            match weights.len() {
+                1 => unrolled::<T, 1, D>(weights, old, m, out),
+                2 => unrolled::<T, 2, D>(weights, old, m, out),
+                3 => unrolled::<T, 3, D>(weights, old, m, out),
+                4 => unrolled::<T, 4, D>(weights, old, m, out),
+                5 => unrolled::<T, 5, D>(weights, old, m, out),
+                6 => unrolled::<T, 6, D>(weights, old, m, out),
+                7 => unrolled::<T, 7, D>(weights, old, m, out),
+                8 => unrolled::<T, 8, D>(weights, old, m, out),
+                _ => {
+                    for (j, point) in out.chunks_mut(m * D).enumerate() {
+                        let row = |k: i64| &old[(j + k as usize) * D..][..D];
+                        combine(weights, row, &mut point[..D]);
+                    }
                 }
-            }
-            point.clone_from_slice(&sum);
-            class += 1;
-            if class == self.stencils.len() {
-                (class, i) = (0, i + 1);
             }
         }
     }
@@ -84,6 +86,27 @@ impl<T: Coordinate> Weights<T> {
             let first = i.div_euclid(m) + stencil.first;
             combine(&stencil.weights, |k| row(first + k), &mut out_row[out.offset..][..width]);
         }
+    }
+}
+
+/// Every `m`-th point of `out` by a stencil of `N` weights, the first of them from the first points of
+/// `old`; summed in the order of [`combine`].
+fn unrolled<T: Coordinate, const N: usize, const D: usize>(
+    weights: &[T],
+    old: &[T],
+    m: usize,
+    out: &mut [T],
+) {
+    let weights: [T; N] = array::from_fn(|k| weights[k].clone());
+    for (j, point) in out.chunks_mut(m * D).enumerate() {
+        let window = &old[j * D..][..N * D];
+        let mut sum: [T; D] = array::from_fn(|d| T::product(&weights[0], &window[d]));
+        for k in 1..N {
+            for d in 0..D {
+                sum[d].add_product(&weights[k], &window[k * D + d]);
+            }
+        }
+        point[..D].clone_from_slice(&sum);
     }
 }
 
