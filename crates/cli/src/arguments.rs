@@ -20,6 +20,9 @@ pub enum Command {
     Show {
         #[command(flatten)]
         scheme: SchemeArguments,
+        /// Write a sketch of the rules, SVG or PNG
+        #[arg(long, short, value_name = "FILE", conflicts_with = "derive")]
+        output: Option<PathBuf>,
         /// Print the derivation step by step (schemes a2, a3, …, i4, …)
         #[arg(long)]
         derive: bool,
@@ -105,6 +108,28 @@ pub enum Command {
         #[arg(long, requires = "output")]
         resume: bool,
     },
+    /// Refine a polygon towards the limit curve; as points, or as a picture with -o
+    Curve(CurveArguments),
+    /// Refine a net towards the limit surface; as points, or as a mesh or a picture with -o
+    Surface(SurfaceArguments),
+    /// The basic limit function and its derivatives, exactly
+    Basis {
+        #[command(flatten)]
+        scheme: SchemeArguments,
+        /// Values at all multiples of 1/2^L, or of 1/m^L for arity m
+        #[arg(long, short, value_name = "L", default_value_t = 4)]
+        levels: u32,
+        /// The highest derivative; up to the second, as far as it is continuous, if left out
+        #[arg(long, value_name = "N")]
+        derivatives: Option<u16>,
+        /// Write a picture, SVG or PNG, or the values, CSV or JSON
+        #[arg(long, short, value_name = "FILE")]
+        output: Option<PathBuf>,
+        #[command(flatten)]
+        format: FormatArgument,
+    },
+    /// Refine a polygon or a net so that some points are interpolated and the others approximated
+    Interproximate(InterproximateArguments),
     /// Write a certificate: of C^n over one parameter or at a value, or of the regularity
     Certify {
         #[command(flatten)]
@@ -173,6 +198,133 @@ pub enum ReportAction {
         #[command(flatten)]
         audit: AuditArguments,
     },
+}
+
+/// Control points, and how often they are refined.
+#[derive(Args, Clone, Debug)]
+pub struct PointsArguments {
+    /// Control points: a file of CSV, of numbers between blanks, or JSON; - for standard input
+    #[arg(value_name = "POINTS", default_value = "-")]
+    pub points: PathBuf,
+    /// How many times to refine
+    #[arg(long, short, value_name = "L", default_value_t = 5)]
+    pub levels: u32,
+    /// How an open polygon goes on beyond its ends: not at all, reflected at them, or extrapolated by
+    /// polynomials as high as the scheme reproduces, at most cubic
+    #[arg(long, value_enum, default_value_t = EndsArgument::Trim)]
+    pub ends: EndsArgument,
+    /// Where to write it; the end of the name tells the format
+    #[arg(long, short, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    #[command(flatten)]
+    pub format: FormatArgument,
+}
+
+/// What happens at the ends of what is open.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum EndsArgument {
+    /// Only points that the control points determine: the pure scheme
+    Trim,
+    /// Ghost points 2 f_0 - f_j
+    Reflect,
+    /// Ghost points on polynomials
+    Extrapolate,
+}
+
+/// The arguments of `curve`.
+#[derive(Args, Debug)]
+pub struct CurveArguments {
+    /// The scheme.
+    #[command(flatten)]
+    pub scheme: SchemeArguments,
+    /// The points.
+    #[command(flatten)]
+    pub points: PointsArguments,
+    /// The last point is followed by the first
+    #[arg(long)]
+    pub closed: bool,
+    /// Move the points onto the limit curve
+    #[arg(long)]
+    pub limit: bool,
+    /// Draw a curvature comb, for planar curves of schemes that are C^2
+    #[arg(long, requires = "output", conflicts_with = "exact")]
+    pub comb: bool,
+    /// Refine exactly, in rational numbers
+    #[arg(long)]
+    pub exact: bool,
+}
+
+/// The arguments of `surface`.
+#[derive(Args, Debug)]
+pub struct SurfaceArguments {
+    /// The scheme.
+    #[command(flatten)]
+    pub scheme: SchemeArguments,
+    /// The points.
+    #[command(flatten)]
+    pub points: PointsArguments,
+    /// Another scheme from row to row
+    #[arg(long, value_name = "SCHEME", allow_hyphen_values = true)]
+    pub across: Option<String>,
+    /// Set a parameter of the scheme from row to row; repeatable
+    #[arg(long, value_name = "NAME=VALUE", requires = "across", allow_hyphen_values = true)]
+    pub set_across: Vec<String>,
+    #[command(flatten)]
+    #[allow(missing_docs)]
+    pub net: NetArguments,
+    /// Refine exactly, in rational numbers
+    #[arg(long)]
+    pub exact: bool,
+}
+
+/// How points make up a net.
+#[derive(Args, Clone, Debug)]
+pub struct NetArguments {
+    /// How many points a row has, where no blank lines or brackets tell
+    #[arg(long, value_name = "N")]
+    pub columns: Option<usize>,
+    /// In which directions the net is closed
+    #[arg(long, value_enum, default_value_t = Closed::Neither)]
+    pub closed: Closed,
+}
+
+/// In which directions a net is closed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Closed {
+    /// In none
+    Neither,
+    /// Each row: its last point is followed by its first
+    Rows,
+    /// Each column: the last row is followed by the first
+    Columns,
+    /// In both, like a torus
+    Both,
+}
+
+/// The arguments of `interproximate`.
+#[derive(Args, Debug)]
+pub struct InterproximateArguments {
+    /// The family.
+    #[command(flatten)]
+    pub scheme: SchemeArguments,
+    /// The points.
+    #[command(flatten)]
+    pub points: PointsArguments,
+    /// Control points that are interpolated, by their numbers from 0
+    #[arg(long, value_name = "I,J,…", value_delimiter = ',')]
+    pub interpolate: Vec<usize>,
+    /// The tensions of points that are interpolated: 'alpha=0,beta=-1/20'
+    #[arg(long, value_name = "TENSIONS", allow_hyphen_values = true, requires = "interpolate")]
+    pub interpolating: Option<String>,
+    /// The tensions of all other points, and of new ones: 'alpha=1/8,beta=0'
+    #[arg(long, value_name = "TENSIONS", allow_hyphen_values = true)]
+    pub approximating: Option<String>,
+    /// The points make up a net
+    #[arg(long)]
+    pub surface: bool,
+    #[command(flatten)]
+    #[allow(missing_docs)]
+    pub net: NetArguments,
 }
 
 /// How much work an audit may do.

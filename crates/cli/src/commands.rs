@@ -13,7 +13,7 @@ use refinable_papers::{Claims, Paper, Table};
 use refinable_report::{
     Audit, CERTIFICATES, CertificateStore, Effort, FamilyMaps, HolderMap, MapStore, Maps, Quantity,
     Scan, Site, Sweep, degree_table, norm_table, proof_text, range_table, regularity_table,
-    report_site, sharp_range, sharp_range_table, show,
+    report_site, rule_picture, sharp_range, sharp_range_table, show,
 };
 use refinable_scheme::{Scheme, Substitution};
 
@@ -23,7 +23,7 @@ use crate::arguments::{
 };
 use crate::failure::Failure;
 use crate::files::Image;
-use crate::{files, output, scanning};
+use crate::{drawing, files, output, scanning};
 
 /// Runs the command that was typed.
 ///
@@ -31,8 +31,12 @@ use crate::{files, output, scanning};
 /// Anything wrong with the input; nothing has been written then.
 pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     match &arguments.command {
-        Command::Show { scheme, derive: true, format } => derive(scheme, *format)?,
-        Command::Show { scheme, derive: false, format } => {
+        Command::Show { scheme, derive: true, format, .. } => derive(scheme, *format)?,
+        Command::Show { scheme, output: Some(path), .. } => {
+            let image = Image::of(path)?;
+            image.write(path, &rule_picture(&resolve(scheme)?))?;
+        }
+        Command::Show { scheme, format, .. } => {
             output::print(&show(&resolve(scheme)?), format.format)?;
         }
         Command::Degrees { scheme, format } => {
@@ -114,6 +118,13 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
             let scan = Scan::new(&resolve(scheme)?, grid, quantity)?;
             scanning::write(&scan, &signature, output.as_deref(), *json_lines, *resume)?;
         }
+        Command::Curve(arguments) => drawing::curve(arguments)?,
+        Command::Surface(arguments) => drawing::surface(arguments)?,
+        Command::Basis { scheme, levels, derivatives, output, format } => {
+            let order = derivatives.map(usize::from);
+            drawing::basis(&resolve(scheme)?, *levels, order, output.as_deref(), format.format)?;
+        }
+        Command::Interproximate(arguments) => drawing::interproximate(arguments)?,
         Command::Certify { scheme, continuity, output } => {
             let certificate = certify(&resolve(scheme)?, *continuity)?;
             let text = format!("{}\n", certificate.to_json());
@@ -143,12 +154,24 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     Ok(ExitCode::SUCCESS)
 }
 
-fn resolve(arguments: &SchemeArguments) -> Result<Scheme, Failure> {
+/// The scheme that was typed, with what was set.
+///
+/// # Errors
+/// Whatever is wrong with it.
+pub fn resolve(arguments: &SchemeArguments) -> Result<Scheme, Failure> {
+    resolve_text(&arguments.scheme, arguments.arity, &arguments.set)
+}
+
+/// The scheme that a text means, after settings.
+///
+/// # Errors
+/// Whatever is wrong with it.
+pub fn resolve_text(text: &str, arity: u32, set: &[String]) -> Result<Scheme, Failure> {
     let mut substitutions = Vec::new();
-    for text in &arguments.set {
+    for text in set {
         substitutions.push(Substitution::parse(text)?);
     }
-    Ok(Scheme::resolve_with(&arguments.scheme, arguments.arity as usize, &substitutions)?)
+    Ok(Scheme::resolve_with(text, arity as usize, &substitutions)?)
 }
 
 /// Where a picture goes, and how: asked before work that takes long.

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
-use std::io::{Read, Write};
+use std::io::{self, BufWriter, Read, Write};
 use std::path::{Path, PathBuf};
 
 use refinable_certificate::{Certificate, MapCertificate};
@@ -46,15 +46,28 @@ fn write_all<'a>(
         let path = target(&dir.join(name))?;
         let parent = path.parent().unwrap_or(dir);
         fs::create_dir_all(parent).map_err(|error| Failure::file(parent, &error))?;
-        let mut file = NamedTempFile::new_in(parent).map_err(|e| Failure::file(parent, &e))?;
-        file.write_all(bytes).map_err(|error| Failure::file(&path, &error))?;
-        file.as_file().sync_all().map_err(|error| Failure::file(&path, &error))?;
-        staged.push((file, path));
+        staged.push((stage(&path, &|out| out.write_all(bytes))?, path));
     }
     for (file, path) in staged {
         publish(file, &path)?;
     }
     Ok(())
+}
+
+/// A finished temporary file beside the place for which it is meant.
+fn stage(
+    path: &Path,
+    write: &dyn Fn(&mut dyn Write) -> io::Result<()>,
+) -> Result<NamedTempFile, Failure> {
+    let parent = path.parent().filter(|dir| !dir.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let file = NamedTempFile::new_in(parent).map_err(|e| Failure::file(parent, &e))?;
+    let mut out = BufWriter::new(file.as_file());
+    let written = write(&mut out).and_then(|()| out.flush());
+    drop(out);
+    written
+        .and_then(|()| file.as_file().sync_all())
+        .map_err(|error| Failure::file(path, &error))?;
+    Ok(file)
 }
 
 /// Moves a finished temporary file to its place, readable by all like any other file.
@@ -135,17 +148,28 @@ fn first_difference(name: &str, found: &str, expected: &str) -> String {
 /// # Errors
 /// A place that cannot be written.
 pub fn write_file(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
-    let name = path.file_name().map(|name| name.to_string_lossy().into_owned());
-    let Some(name) = name else {
+    write_with(path, &|out| out.write_all(bytes))
+}
+
+/// The same for what is too long to be in memory as a whole.
+///
+/// # Errors
+/// A place that cannot be written.
+pub fn write_with(
+    path: &Path,
+    write: &dyn Fn(&mut dyn Write) -> io::Result<()>,
+) -> Result<(), Failure> {
+    if path.file_name().is_none() {
         let hint = "name a file, not a directory";
         return Err(Failure::new("file", format!("{} is no file", path.display()), hint));
-    };
+    }
     let dir = path.parent().filter(|dir| !dir.as_os_str().is_empty()).unwrap_or(Path::new("."));
     if !dir.is_dir() {
         let hint = "make the directory first";
         return Err(Failure::new("file", format!("{} is no directory", dir.display()), hint));
     }
-    write_all(dir, std::iter::once((name.as_str(), bytes)))
+    let path = target(path)?;
+    publish(stage(&path, write)?, &path)
 }
 
 /// The format of a picture, told by the end of its name.

@@ -44,7 +44,7 @@ impl<'a, T: Coordinate> Cascade<'a, T> {
         ends: Ends,
     ) -> Result<Self, Diagnostic> {
         let mut factors = rules.iter().map(|rule| rule.arity() as u64);
-        let total = factors.try_fold(count as u64, |n, m| n.checked_mul(m));
+        let total = factors.try_fold(count as u64, u64::checked_mul);
         if total.is_none_or(|n| n > LARGEST_COUNT) {
             let message = format!("{} levels make more points than can be counted", rules.len());
             return Err(Diagnostic::new("levels", message).with_hint("ask for fewer levels"));

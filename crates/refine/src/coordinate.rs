@@ -7,6 +7,9 @@ use refinable_algebra::{Rational, Ring, decimal, parse_rational, rational};
 /// A coordinate of a point: `f64` for drawing, [`Rational`] where every digit counts. One generic
 /// code refines both.
 pub trait Coordinate: Clone + PartialEq + Debug + Send + Sync + 'static {
+    /// Whether no digit is ever lost.
+    const EXACT: bool;
+
     /// Zero.
     fn origin() -> Self;
     /// The rational number, or the float nearest to it.
@@ -25,6 +28,8 @@ pub trait Coordinate: Clone + PartialEq + Debug + Send + Sync + 'static {
 }
 
 impl Coordinate for f64 {
+    const EXACT: bool = false;
+
     fn origin() -> Self {
         0.0
     }
@@ -64,6 +69,8 @@ impl Coordinate for f64 {
 const LARGEST_EXPONENT: i32 = 400;
 
 impl Coordinate for Rational {
+    const EXACT: bool = true;
+
     fn origin() -> Self {
         Ring::zero()
     }

@@ -4,6 +4,7 @@
 //! |---|---|
 //! | `coordinate` | [`Coordinate`]: floats or exact rationals, one code for both |
 //! | `polygon` | [`Polygon`], [`Net`]: control points |
+//! | `reading` | [`PointTable`]: control points from text |
 //! | `weights`, `step` | [`Weights`]: a rule in numbers, and one step of it |
 //! | `ends` | [`Ends`]: what continues an open polygon |
 //! | `cascade` | several steps at once, block by block |
@@ -22,6 +23,7 @@ mod interproximate;
 mod limit;
 mod memory;
 mod polygon;
+mod reading;
 mod step;
 mod surface;
 mod weights;
@@ -32,5 +34,6 @@ pub use ends::Ends;
 pub use interproximate::{Interproximate, Tensions};
 pub use limit::BasicLimit;
 pub use polygon::{ACROSS, ALONG, LARGEST_DIMENSION, Net, Polygon};
+pub use reading::PointTable;
 pub use surface::{Surface, refine_net};
 pub use weights::{Stencil, Weights};

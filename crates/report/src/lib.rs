@@ -9,6 +9,12 @@
 //! | `landscape` | [`HolderMap`]: the Hölder exponent over two parameters, as data and as SVG |
 //! | `scan` | [`Scan`]: a quantity at every point of a grid |
 //! | `svg`, `frame`, `raster` | what pictures have in common; from SVG to pixels |
+//! | `curve`, `surface`, `basis` | [`Curve`], [`TensorSurface`], [`Basis`]: refined points, limits, as data and as SVG |
+//! | `interproximate` | [`Assignment`]: tensions at every control point |
+//! | `mesh` | [`Mesh`]: surfaces as OBJ, PLY and STL |
+//! | `rule_picture` | sketches of stencils |
+//! | `points` | points as text |
+//! | `canvas`, `surface_picture` | sheets of panels; shaded faces |
 //! | `picture` | claimed against proved ranges as SVG |
 //! | `audit` | [`Audit`]: the verdict on every cell of a paper's tables |
 //! | `families` | [`FamilyMaps`]: pages about the families of two parameters |
@@ -18,39 +24,57 @@
 //! bytes on every machine.
 
 mod audit;
+mod basis;
+mod canvas;
+mod curve;
 mod degrees;
 mod families;
 mod frame;
 mod grid;
+mod interproximate;
 mod landscape;
 mod latex;
 mod map;
 mod map_picture;
+mod mesh;
 mod norm;
 mod number;
 mod picture;
+mod points;
 mod range;
 mod raster;
 mod regularity;
+mod rule_picture;
 mod scan;
 mod sharp;
 mod show;
 mod site;
+mod surface;
+mod surface_picture;
 mod svg;
 mod sweep;
 
 pub use audit::{Agreement, Audit, AuditedCell, AuditedTable, CertificateStore, Effort, Ranges};
+pub use basis::Basis;
+pub use curve::{Curve, CurveOptions};
 pub use degrees::degree_table;
 pub use families::{FamilyMaps, MapStore};
 pub use grid::{Cell, Document, Grid};
+pub use interproximate::{
+    Assignment, Member, TensionTable, assignment_document, member_scheme, tensions_of,
+};
 pub use landscape::HolderMap;
 pub use map::Maps;
+pub use mesh::{Mesh, MeshFormat};
 pub use norm::norm_table;
+pub use points::{net_csv, net_json, polygon_csv, polygon_json};
 pub use range::range_table;
 pub use raster::png;
 pub use regularity::{outward, regularity_table};
+pub use rule_picture::rule_picture;
 pub use scan::{Quantity, Scan};
 pub use sharp::{proof_text, sharp_range, sharp_range_table, statement};
 pub use show::show;
 pub use site::{CERTIFICATES, Site, report_site};
+pub use surface::TensorSurface;
 pub use sweep::Sweep;
