@@ -4,11 +4,12 @@ use std::io::{self, Read};
 use std::path::Path;
 
 use refinable_algebra::Rational;
-use refinable_analysis::degrees;
+use refinable_analysis::{degrees, interproximate_tensions};
 use refinable_refine::{Coordinate, Ends, Net, PointTable, Polygon};
 use refinable_report::{
     Assignment, Basis, Curve, CurveOptions, Document, Member, Mesh, MeshFormat, TensionTable,
-    TensorSurface, assignment_document, net_csv, net_json, polygon_csv, polygon_json, tensions_of,
+    TensorSurface, assignment_document, choice_text, net_csv, net_json, polygon_csv, polygon_json,
+    tensions_of,
 };
 use refinable_scheme::{Scheme, Substitution};
 
@@ -250,14 +251,37 @@ fn assignment(
     }
     let interpolating = arguments.interpolating.as_deref();
     let interpolating = interpolating.map(|text| member(family, text)).transpose()?;
-    let (Some(interpolating), Some(approximating)) = (interpolating, approximating) else {
-        let hint = "--interpolate 0,3 --interpolating 'alpha=0,beta=-1/20' --approximating 'alpha=1/8,beta=0'";
-        return Err(Failure::new("tensions", "no tensions are given", hint));
+    let (interpolating, approximating) = match (interpolating, approximating) {
+        (None, Some(approximating)) if arguments.interpolate.is_empty() => {
+            (approximating.clone(), approximating)
+        }
+        (Some(interpolating), Some(approximating)) => (interpolating, approximating),
+        (interpolating, approximating) => {
+            // The search takes seconds: say so where somebody waits.
+            eprintln!("choosing tensions …");
+            let choice = interproximate_tensions(family.name(), family.mask())?;
+            eprintln!("{}", choice_text(family, &choice));
+            (
+                interpolating.unwrap_or(choice.interpolating),
+                approximating.unwrap_or(choice.approximating),
+            )
+        }
     };
     let count = table.points.values.len() / table.points.dimension;
-    let assignment =
-        Assignment::of_vertices(count, &arguments.interpolate, interpolating, approximating)?;
-    Ok(assignment)
+    let interpolated = &arguments.interpolate;
+    let made = Assignment::of_vertices(count, interpolated, interpolating, approximating)?;
+    if let Some(moved) = first_missing(interpolated, &made.interpolated(family)?) {
+        let hint =
+            "the vertex rule of the interpolating member must be the old point, as at alpha=0";
+        let message = format!("these tensions do not interpolate control point {moved}");
+        return Err(Failure::new("tensions", message, hint));
+    }
+    Ok(made)
+}
+
+/// The first number that is not in the list.
+fn first_missing(numbers: &[usize], list: &[usize]) -> Option<usize> {
+    numbers.iter().copied().find(|i| !list.contains(i))
 }
 
 /// `alpha=0,beta=-1/20`: one value for each parameter of the family.

@@ -37,11 +37,6 @@ impl Shape {
         Shape::Line { points, closed, color, width: 1.3, dashed: false }
     }
 
-    /// A label to the right above a place.
-    pub fn label(at: Place, text: impl Into<String>) -> Self {
-        Shape::Label { at, offset: [5.0, -5.0], angle: 0.0, anchor: "start", text: text.into() }
-    }
-
     fn places(&self) -> Vec<Place> {
         match self {
             Shape::Line { points, .. } | Shape::Dots { points, .. } => points.clone(),
@@ -73,12 +68,11 @@ impl Shape {
                     "<circle cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"{radius}\" fill=\"{color}\"/>"
                 )
             }),
-            // A hair's breadth of its own colour closes the seam to the next face.
-            Shape::Face { corners, fill } => writeln!(
-                svg,
-                "<polygon points=\"{}\" fill=\"{fill}\" stroke=\"{fill}\" stroke-width=\"0.4\"/>",
-                list(corners)
-            ),
+            Shape::Face { corners, fill } => {
+                let at = corners.iter().map(|p| frame.at(*p));
+                let at: Vec<String> = at.map(|[x, y]| format!("{x:.1} {y:.1}")).collect();
+                writeln!(svg, "<path color=\"{fill}\" d=\"M{}z\"/>", at.join("L"))
+            }
             Shape::Arrow { from, to, color, dashed } => {
                 let ([a, b], [x, y]) = (frame.at(*from), frame.at(*to));
                 let head = arrow_head([a, b], [x, y]);
@@ -188,7 +182,13 @@ pub(crate) fn sheet(title: &str, panels: &[Panel], columns: usize, size: Place) 
     for (k, panel) in panels.iter().enumerate() {
         let corner = [cell[0] * (k % columns) as f64, HEAD + cell[1] * (k / columns) as f64];
         let frame = Frame::new(panel, corner, size);
-        panel.shapes.iter().for_each(|shape| shape.draw(&mut svg, &frame));
+        // A hair's breadth of its own colour closes the seam from a face to the next.
+        svg.push_str("<g fill=\"currentColor\" stroke=\"currentColor\" stroke-width=\"0.4\">\n");
+        let (faces, others): (Vec<_>, Vec<_>) =
+            panel.shapes.iter().partition(|shape| matches!(shape, Shape::Face { .. }));
+        faces.iter().for_each(|shape| shape.draw(&mut svg, &frame));
+        svg.push_str("</g>\n");
+        others.iter().for_each(|shape| shape.draw(&mut svg, &frame));
         for (line, text) in panel.caption.iter().enumerate() {
             let _ = writeln!(
                 svg,

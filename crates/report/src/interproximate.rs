@@ -1,6 +1,9 @@
 //! `interproximate`: tensions of their own at every control point.
 
-use refinable_algebra::{Parameter, ParameterFraction, ParameterPolynomial, Rational};
+use refinable_algebra::{
+    Parameter, ParameterFraction, ParameterPolynomial, Rational, Ring, decimal,
+};
+use refinable_analysis::TensionChoice;
 use refinable_refine::{
     Coordinate, Ends, Interproximate, Net, PointTable, Polygon, Tensions, Weights,
 };
@@ -178,6 +181,28 @@ fn only_approximating(
         let hint = "name them, for example --approximating 'alpha=1/8,beta=0'";
         Diagnostic::new("tensions", message).with_hint(hint)
     })
+}
+
+/// What was chosen, and what is proved of it.
+pub fn choice_text(family: &Scheme, choice: &TensionChoice) -> String {
+    let spelled = |member: &Member| {
+        let values = tensions_of(family).into_iter().zip(member);
+        values.map(|(p, x)| format!("{p} = {x}")).collect::<Vec<_>>().join(", ")
+    };
+    format!(
+        "approximating: {}, the smoothest member found, Hölder exponent at least {}\n\
+         interpolating: {}; at interpolated points the exponent is at least {}",
+        spelled(&choice.approximating),
+        floored(&choice.regularity.lower),
+        spelled(&choice.interpolating),
+        floored((&choice.at_vertices).min(&choice.regularity.lower)),
+    )
+}
+
+/// Four decimals, rounded down.
+fn floored(x: &Rational) -> String {
+    let scale = Rational::from_i64(10_000);
+    decimal(&((x * &scale).floor() / scale), 8)
 }
 
 /// A table of points with columns of tensions, taken apart.

@@ -17,6 +17,7 @@
 //! | `canvas`, `surface_picture` | sheets of panels; shaded faces |
 //! | `picture` | claimed against proved ranges as SVG |
 //! | `audit` | [`Audit`]: the verdict on every cell of a paper's tables |
+//! | `figures` | the paper's figures, drawn anew |
 //! | `families` | [`FamilyMaps`]: pages about the families of two parameters |
 //! | `site` | the files of a report directory |
 //!
@@ -29,6 +30,7 @@ mod canvas;
 mod curve;
 mod degrees;
 mod families;
+mod figures;
 mod frame;
 mod grid;
 mod interproximate;
@@ -61,7 +63,7 @@ pub use degrees::degree_table;
 pub use families::{FamilyMaps, MapStore};
 pub use grid::{Cell, Document, Grid};
 pub use interproximate::{
-    Assignment, Member, TensionTable, assignment_document, member_scheme, tensions_of,
+    Assignment, Member, TensionTable, assignment_document, choice_text, member_scheme, tensions_of,
 };
 pub use landscape::HolderMap;
 pub use map::Maps;

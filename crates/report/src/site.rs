@@ -7,6 +7,7 @@ use refinable_scheme::Diagnostic;
 
 use crate::audit::{Audit, AuditedTable, CertificateStore};
 use crate::families::FamilyMaps;
+use crate::figures;
 use crate::grid::Document;
 use crate::picture;
 
@@ -28,6 +29,7 @@ pub fn report_site(
     for family in families {
         family.publish(&mut site)?;
     }
+    figures::publish(&mut site)?;
     site.insert("tables.json".into(), audit.document().json_text());
     site.insert("tables.tex".into(), latex_document(audit));
     for table in &audit.tables {
@@ -71,6 +73,7 @@ fn index(paper: &Paper, audit: &Audit, families: &[FamilyMaps]) -> String {
     }
     text.push_str("\nWhere the families of two parameters are C^n, over both of them:\n\n");
     families.iter().for_each(|family| text.push_str(&family.index_line()));
+    text.push_str("\nThe figures of the paper, drawn anew: [figures](figures/README.md).\n");
     text
 }
 

@@ -19,6 +19,8 @@ impl View {
     /// From the front, right and above: 60° round, 30° up.
     pub const OBLIQUE: View =
         View { right: [S, 0.5, 0.0], up: [-0.25, S / 2.0, S], eye: [S / 2.0, -0.75, 0.5] };
+    /// The same, seen in a mirror.
+    pub const MIRRORED: View = View { right: [-S, -0.5, 0.0], ..View::OBLIQUE };
     /// From above: the picture is the projection to the `xy`-plane.
     pub const ABOVE: View =
         View { right: [1.0, 0.0, 0.0], up: [0.0, 1.0, 0.0], eye: [0.0, 0.0, 1.0] };
