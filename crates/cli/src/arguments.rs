@@ -269,23 +269,15 @@ pub struct SurfaceArguments {
     /// Set a parameter of the scheme from row to row; repeatable
     #[arg(long, value_name = "NAME=VALUE", requires = "across", allow_hyphen_values = true)]
     pub set_across: Vec<String>,
-    #[command(flatten)]
-    #[allow(missing_docs)]
-    pub net: NetArguments,
-    /// Refine exactly, in rational numbers
-    #[arg(long)]
-    pub exact: bool,
-}
-
-/// How points make up a net.
-#[derive(Args, Clone, Debug)]
-pub struct NetArguments {
     /// How many points a row has, where no blank lines or brackets tell
     #[arg(long, value_name = "N")]
     pub columns: Option<usize>,
     /// In which directions the net is closed
     #[arg(long, value_enum, default_value_t = Closed::Neither)]
     pub closed: Closed,
+    /// Refine exactly, in rational numbers
+    #[arg(long)]
+    pub exact: bool,
 }
 
 /// In which directions a net is closed.
@@ -319,12 +311,23 @@ pub struct InterproximateArguments {
     /// The tensions of all other points, and of new ones: 'alpha=1/8,beta=0'
     #[arg(long, value_name = "TENSIONS", allow_hyphen_values = true)]
     pub approximating: Option<String>,
+    /// The polygon is closed, or, with --surface, --closed=rows, --closed=columns or --closed=both
+    #[arg(
+        long,
+        value_enum,
+        value_name = "DIRECTIONS",
+        num_args = 0..=1,
+        require_equals = true,
+        default_value_t = Closed::Neither,
+        default_missing_value = "rows"
+    )]
+    pub closed: Closed,
     /// The points make up a net
     #[arg(long)]
     pub surface: bool,
-    #[command(flatten)]
-    #[allow(missing_docs)]
-    pub net: NetArguments,
+    /// How many points a row of the net has, where no blank lines or brackets tell
+    #[arg(long, value_name = "N", requires = "surface")]
+    pub columns: Option<usize>,
 }
 
 /// How much work an audit may do.

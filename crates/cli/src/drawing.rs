@@ -14,8 +14,8 @@ use refinable_report::{
 use refinable_scheme::{Scheme, Substitution};
 
 use crate::arguments::{
-    Closed, CurveArguments, EndsArgument, Format, InterproximateArguments, NetArguments,
-    PointsArguments, SurfaceArguments,
+    Closed, CurveArguments, EndsArgument, Format, InterproximateArguments, PointsArguments,
+    SurfaceArguments,
 };
 use crate::commands::{resolve, resolve_text};
 use crate::failure::Failure;
@@ -157,7 +157,7 @@ fn made_surface<T: Coordinate>(arguments: &SurfaceArguments) -> Result<TensorSur
         Some(text) => resolve_text(text, arguments.scheme.arity, &arguments.set_across)?,
         None => along.clone(),
     };
-    let net = net(read::<T>(&arguments.points.points)?, &arguments.net)?;
+    let net = net(read::<T>(&arguments.points.points)?, arguments.columns, arguments.closed)?;
     let ends = [&across, &along].map(|scheme| ends(arguments.points.ends, scheme));
     Ok(TensorSurface::new([&across, &along], net, arguments.points.levels, ends)?)
 }
@@ -199,7 +199,7 @@ pub fn interproximate(arguments: &InterproximateArguments) -> Result<(), Failure
     let table = in_floats(&table.points);
     let (name, levels) = (family.name(), points.levels);
     if arguments.surface {
-        let control = net(table, &arguments.net)?;
+        let control = net(table, arguments.columns, arguments.closed)?;
         let refined = assignment.refine_net(&family, &control, levels, [ends; 2])?;
         let document = assignment_document(&family, &assignment, net_json(&refined), levels)?;
         let made = TensorSurface::of_points(name, control, refined, levels);
@@ -210,8 +210,7 @@ pub fn interproximate(arguments: &InterproximateArguments) -> Result<(), Failure
             _ => emit_assigned(goal, points.format.format, &|| net_csv(made.points()), document),
         };
     }
-    let closed = matches!(arguments.net.closed, Closed::Rows | Closed::Both);
-    let control = polygon(table, closed)?;
+    let control = polygon(table, arguments.closed != Closed::Neither)?;
     let refined = assignment.refine(&family, &control, levels, ends)?;
     let document = assignment_document(&family, &assignment, polygon_json(&refined), levels)?;
     let made = Curve::of_points(name, control, refined, levels);
@@ -354,8 +353,12 @@ fn polygon<T: Coordinate>(table: PointTable<T>, closed: bool) -> Result<Polygon<
     Ok(Polygon::new(table.dimension, table.values, closed)?)
 }
 
-fn net<T: Coordinate>(table: PointTable<T>, arguments: &NetArguments) -> Result<Net<T>, Failure> {
-    let columns = match (arguments.columns, &table.rows[..]) {
+fn net<T: Coordinate>(
+    table: PointTable<T>,
+    columns: Option<usize>,
+    closed: Closed,
+) -> Result<Net<T>, Failure> {
+    let columns = match (columns, &table.rows[..]) {
         (Some(columns), [_]) => columns,
         (None, [_]) => {
             let hint = "put a blank line between the rows of the net, or say --columns N";
@@ -370,7 +373,7 @@ fn net<T: Coordinate>(table: PointTable<T>, arguments: &NetArguments) -> Result<
             rows[0]
         }
     };
-    let across = matches!(arguments.closed, Closed::Columns | Closed::Both);
-    let along = matches!(arguments.closed, Closed::Rows | Closed::Both);
+    let across = matches!(closed, Closed::Columns | Closed::Both);
+    let along = matches!(closed, Closed::Rows | Closed::Both);
     Ok(Net::new(table.dimension, columns, table.values, [across, along])?)
 }

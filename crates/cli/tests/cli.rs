@@ -316,3 +316,77 @@ fn an_interrupted_scan_goes_on() {
         assert!(!part.exists() && !note.exists());
     }
 }
+
+/// What is printed for points that are piped in.
+fn piped(arguments: &[&str], input: &[u8]) -> Output {
+    use std::io::Write;
+    use std::process::Stdio;
+    let mut child = refinable()
+        .args(arguments)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the program runs");
+    // A program that stops early closes the pipe.
+    let _ = child.stdin.take().expect("piped").write_all(input);
+    child.wait_with_output().expect("the program ends")
+}
+
+#[test]
+fn points_from_a_pipe() {
+    let chaikin = ["curve", "bspline2", "--levels", "1"];
+    let output = piped(&chaikin, b"\xef\xbb\xbf0,0\r\n4,0\r\n4,4\r\n");
+    assert_eq!((code(&output), stdout(&output)), (0, "x,y\n1,0\n3,0\n4,1\n4,3\n".into()));
+    let from_json = piped(&[&chaikin[..], &["-"]].concat(), b"[[0, 0], [4, 0], [4, 4]]");
+    assert_eq!(from_json.stdout, output.stdout);
+    for (input, expected) in [
+        (&b""[..], "error[points]: there is no point"),
+        (b"1,2\n3,nan\n", "error[points]: line 2: `nan` is no number"),
+        (b"1,2\n3\n", "error[points]: line 2: 1 numbers, but 2 before"),
+        (b"1,2\n\xff\xfe\n", "error[points]: line 2: this is no text"),
+        (b"1,2\n", "error[points]: 1 points are too few for the stencils of the scheme"),
+    ] {
+        let output = piped(&chaikin, input);
+        assert_eq!(code(&output), 2, "{}", stdout(&output));
+        assert!(stderr(&output).starts_with(expected), "{}", stderr(&output));
+        assert!(output.stdout.is_empty());
+    }
+}
+
+/// Each kind of file by its first bytes; nothing is left behind where writing fails.
+#[test]
+fn curves_and_surfaces_in_files() {
+    let dir = TempDir::new().unwrap();
+    let at = |name: &str| dir.path().join(name).display().to_string();
+    let curve = ["curve", "bspline3", "../../examples/bracket.csv", "--closed"];
+    let surface =
+        ["surface", "bspline3", "../../examples/vessel.csv", "--closed", "rows", "-l", "2"];
+    let basis = ["basis", "dd4"];
+    let cases: [(&[&str], &str, &[u8]); 9] = [
+        (&curve, "c.svg", b"<svg "),
+        (&curve, "c.png", b"\x89PNG"),
+        (&curve, "c.csv", b"x,y\n"),
+        (&curve, "c.json", b"{\n  \"scheme\""),
+        (&basis, "b.svg", b"<svg "),
+        (&surface, "s.png", b"\x89PNG"),
+        (&surface, "s.obj", b"v "),
+        (&surface, "s.ply", b"ply\nformat binary_little_endian 1.0\n"),
+        (&surface, "s.stl", &[0; 80]),
+    ];
+    for (arguments, name, start) in cases {
+        let output = run(&[arguments, &["-o", &at(name)]].concat());
+        assert_eq!(code(&output), 0, "{}", stderr(&output));
+        assert!(output.stdout.is_empty());
+        assert!(fs::read(at(name)).unwrap().starts_with(start), "{name}");
+        let nowhere = at(&format!("none/{name}"));
+        let output = run(&[arguments, &["-o", &nowhere]].concat());
+        assert_eq!(code(&output), 2);
+        assert!(stderr(&output).contains("is no directory"), "{}", stderr(&output));
+    }
+    assert_eq!(fs::read_dir(dir.path()).unwrap().count(), cases.len());
+    let curve = json(&[&curve[..], &["--levels", "0"]].concat());
+    assert_eq!(curve["points"][2], serde_json::json!([5, 5]));
+    let basis = json(&["basis", "dd4", "--levels", "0"]);
+    assert_eq!(basis["values"][3]["values"][0]["exact"], "1");
+}

@@ -95,7 +95,8 @@ impl<T: Coordinate> Net<T> {
         if !values.len().is_multiple_of(row) {
             let points = values.len() / dimension;
             let message = format!("{points} points are no rows of {columns}");
-            return Err(Diagnostic::new("points", message));
+            let hint = "all rows of a net are as long";
+            return Err(Diagnostic::new("points", message).with_hint(hint));
         }
         Ok(Net { dimension, columns, values, closed })
     }

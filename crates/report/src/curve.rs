@@ -249,5 +249,5 @@ pub(crate) fn expect_smooth(scheme: &Scheme, order: usize, wanted: &str) -> Resu
     let known = found.map_or("converge".into(), |_| format!("be C^{order}"));
     let message = format!("{} is not proved to {known}", scheme.name());
     Err(Diagnostic::new("smoothness", message)
-        .with_hint(format!("{wanted} need a scheme that is C^{order}")))
+        .with_hint(format!("for {wanted} a scheme must be C^{order}")))
 }

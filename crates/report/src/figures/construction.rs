@@ -61,7 +61,7 @@ pub(super) fn figures() -> Result<Vec<Figure>, Diagnostic> {
             svg: sheet(
                 "Construction by displacement vectors, continued",
                 &construction.end(),
-                3,
+                1,
                 size,
             ),
         },
@@ -141,9 +141,9 @@ impl Construction {
         let names = ["f_{i-2}", "f_{i-1}", "f_i", "f_{i+1}", "f_{i+2}", "f_{i+3}"];
         let name = |(k, name): (usize, &str)| Shape::Label {
             at: place(k),
-            offset: [8.0, 14.0],
+            offset: [if k < 3 { 8.0 } else { -8.0 }, 14.0],
             angle: 0.0,
-            anchor: "start",
+            anchor: if k < 3 { "start" } else { "end" },
             text: name.to_string(),
         };
         shapes.extend(names.into_iter().enumerate().map(name));
