@@ -36,7 +36,7 @@ fn catalogue() -> Vec<(String, Scheme)> {
 
 /// The polynomial `x^d - 2 x^(d-1) + … `, whose coefficients are all different from zero.
 fn polynomial(degree: usize) -> Polynomial<Rational> {
-    let coefficient = |k: usize| rational(if k % 2 == 0 { 1 } else { -2 }, 1 + k as i64);
+    let coefficient = |k: usize| rational(if k.is_multiple_of(2) { 1 } else { -2 }, 1 + k as i64);
     Polynomial::new((0..=degree).map(coefficient).collect())
 }
 

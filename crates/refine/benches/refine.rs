@@ -6,7 +6,7 @@
 use divan::Bencher;
 use divan::counter::ItemsCount;
 use refinable_algebra::Rational;
-use refinable_refine::{Coordinate, Ends, Net, Polygon, Weights, refine, refine_net};
+use refinable_refine::{Coordinate, Ends, Net, Polygon, Surface, Weights, refine, refine_net};
 use refinable_scheme::{Scheme, Substitution};
 
 fn main() {
@@ -49,6 +49,24 @@ fn surface(bencher: Bencher) {
     let chain = [&rule; 5];
     let refined = || refine_net(&net, [&chain, &chain], [Ends::Trim; 2]).expect("closed");
     bencher.counter(ItemsCount::new(3200_u64 * 3200)).bench(refined);
+}
+
+/// The same, row by row, without the whole in memory.
+#[divan::bench(sample_count = 10)]
+fn surface_rows(bencher: Bencher) {
+    let rule = scheme::<f64>();
+    let net = Net::new(3, 100, (0..30_000).map(wave).collect(), [true; 2]).expect("points");
+    let chain = [&rule; 5];
+    let sum = || {
+        let made = Surface::new(&net, [&chain, &chain], [Ends::Trim; 2]).expect("closed");
+        let mut sum = 0.0;
+        let each = made.each_row(|row| -> Result<(), ()> {
+            sum += row[0];
+            Ok(())
+        });
+        each.map(|()| sum)
+    };
+    bencher.counter(ItemsCount::new(3200_u64 * 3200)).bench(sum);
 }
 
 /// The same result, copied.

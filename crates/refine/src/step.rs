@@ -67,12 +67,7 @@ impl<T: Coordinate> Weights<T> {
                 6 => unrolled::<T, 6, D>(weights, old, m, out),
                 7 => unrolled::<T, 7, D>(weights, old, m, out),
                 8 => unrolled::<T, 8, D>(weights, old, m, out),
-                _ => {
-                    for (j, point) in out.chunks_mut(m * D).enumerate() {
-                        let row = |k: i64| &old[(j + k as usize) * D..][..D];
-                        combine(weights, row, &mut point[..D]);
-                    }
-                }
+                _ => by_rows::<T, D>(weights, old, m, out),
             }
         }
     }
@@ -86,6 +81,13 @@ impl<T: Coordinate> Weights<T> {
             let first = i.div_euclid(m) + stencil.first;
             combine(&stencil.weights, |k| row(first + k), &mut out_row[out.offset..][..width]);
         }
+    }
+}
+
+/// Every `m`-th point of `out` by a stencil of any length.
+fn by_rows<T: Coordinate, const D: usize>(weights: &[T], old: &[T], m: usize, out: &mut [T]) {
+    for (j, point) in out.chunks_mut(m * D).enumerate() {
+        combine(weights, |k| &old[(j + k as usize) * D..][..D], &mut point[..D]);
     }
 }
 
@@ -116,24 +118,39 @@ pub(crate) fn combine<'a, T: Coordinate>(
     row: impl Fn(i64) -> &'a [T],
     out: &mut [T],
 ) {
-    let Some((w, rest)) = weights.split_first() else { return };
-    for (sum, x) in out.iter_mut().zip(row(0)) {
-        *sum = T::product(w, x);
-    }
-    // Two rows at once: fewer passes over `out`.
-    for (k, pair) in (1..).step_by(2).zip(rest.chunks(2)) {
-        match pair {
-            [v, w] => {
-                for ((sum, x), y) in out.iter_mut().zip(row(k)).zip(row(k + 1)) {
-                    sum.add_product(v, x);
-                    sum.add_product(w, y);
-                }
-            }
-            _ => {
+    match weights.len() {
+        1 => fused::<T, 1>(weights, row, out),
+        2 => fused::<T, 2>(weights, row, out),
+        3 => fused::<T, 3>(weights, row, out),
+        4 => fused::<T, 4>(weights, row, out),
+        5 => fused::<T, 5>(weights, row, out),
+        6 => fused::<T, 6>(weights, row, out),
+        0 => out.fill(T::origin()),
+        _ => {
+            fused::<T, 6>(&weights[..6], &row, out);
+            for (k, w) in (6..).zip(&weights[6..]) {
                 for (sum, x) in out.iter_mut().zip(row(k)) {
-                    sum.add_product(&pair[0], x);
+                    sum.add_product(w, x);
                 }
             }
         }
+    }
+}
+
+/// The sum of `N` rows in one pass.
+fn fused<'a, T: Coordinate, const N: usize>(
+    weights: &[T],
+    row: impl Fn(i64) -> &'a [T],
+    out: &mut [T],
+) {
+    let weights: [T; N] = array::from_fn(|k| weights[k].clone());
+    // As long as `out`: then no index has to be checked.
+    let rows: [&[T]; N] = array::from_fn(|k| &row(k as i64)[..out.len()]);
+    for (i, out) in out.iter_mut().enumerate() {
+        let mut sum = T::product(&weights[0], &rows[0][i]);
+        for k in 1..N {
+            sum.add_product(&weights[k], &rows[k][i]);
+        }
+        *out = sum;
     }
 }

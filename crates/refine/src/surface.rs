@@ -82,17 +82,16 @@ impl<'a, T: Coordinate> Surface<'a, T> {
     /// The first error of `sink`.
     pub fn each_row<E>(&self, mut sink: impl FnMut(&[T]) -> Result<(), E>) -> Result<(), E> {
         let width = self.columns * self.dimension;
-        let mut start = 0;
-        while start < self.rows() {
-            let rows = (self.rows() - start).min(BANDS * BAND);
-            let mut bands = vec![T::origin(); rows * width];
+        let most = BANDS * BAND;
+        let mut bands = vec![T::origin(); self.rows().min(most) * width];
+        for start in (0..self.rows()).step_by(most) {
+            bands.truncate((self.rows() - start) * width);
             bands.par_chunks_mut(BAND * width).enumerate().for_each(|(k, band)| {
                 let first = self.across.last().start + (start + k * BAND) as i64;
                 let last = first + (band.len() / width) as i64;
                 self.across.block(&self.control, width, &(first..last), band);
             });
             bands.chunks_exact(width).try_for_each(&mut sink)?;
-            start += rows;
         }
         Ok(())
     }

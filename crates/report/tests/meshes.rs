@@ -116,9 +116,8 @@ fn stl_is_read_back() {
             let normal =
                 [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
             let length = normal.iter().map(|x| x * x).sum::<f64>().sqrt();
-            for k in 0..3 {
-                assert!((normal[k] / length - f64::from(face.normal[k])).abs() < 1e-3);
-            }
+            let written = [0, 1, 2].map(|k| f64::from(face.normal[k]));
+            assert!(normal.iter().zip(written).all(|(x, y)| (x / length - y).abs() < 1e-3));
         }
     }
 }
