@@ -55,7 +55,7 @@ impl Assignment {
     /// not given, the only member of the vertices that are not interpolated.
     ///
     /// # Errors
-    /// Code `tensions` if that is not a single one; those of [`family_weights`].
+    /// Code `tensions` if that is not a single one; `pole` for a member that is not there.
     pub fn of_members(
         family: &Scheme,
         vertices: &[Member],
@@ -82,7 +82,7 @@ impl Assignment {
     /// The scheme of this assignment.
     ///
     /// # Errors
-    /// Those of [`family_weights`] and of [`Interproximate::new`].
+    /// Code `pole` for a member that is not there; those of [`Interproximate::new`].
     pub fn scheme<T: Coordinate>(&self, family: &Scheme) -> Result<Interproximate<T>, Diagnostic> {
         Interproximate::new(family_weights(family, &self.members)?, self.approximating)
     }
