@@ -21,13 +21,14 @@ pub(crate) const SQUARE_ROOT: &str = "sqrt";
 ///
 /// Numbers are integers or exact decimals; names start with a letter, Greek ones becoming their
 /// English names (`α` is `alpha`); operators are `+ - * / ^` with integer exponents; `sqrt(…)` is
-/// the only function. Products need their `*`: `1/16a` is an error that offers both readings.
+/// the only function. Products need their `*`, but for a number and a name side by side, `16a`; `1/16a` is an
+/// error that offers both readings.
 ///
 /// ```
 /// use refinable_scheme::Expression;
-/// let curve = Expression::parse("(8α - 1)/(16*(1 - α))").unwrap_err();
-/// assert_eq!(curve.hint(), Some("write `8*α`"));
-/// let curve = Expression::parse("(8*α - 1)/(16*(1 - α))").unwrap();
+/// let curve = Expression::parse("(8α - 1)/(16(1 - α))").unwrap_err();
+/// assert_eq!(curve.hint(), Some("write `16*(1 - α)`"));
+/// let curve = Expression::parse("(8α - 1)/(16*(1 - α))").unwrap();
 /// assert_eq!(curve.evaluate().unwrap().to_string(), "-(8*alpha - 1)/(16*alpha - 16)");
 /// ```
 #[derive(Clone, Debug)]

@@ -1,14 +1,20 @@
 //! Masks typed in place: lists of coefficients, or symbols in `z`.
 //!
 //! ```text
-//! mask = [ term "*" ] "[" sum { "," sum } "]" [ "@" index ]
-//!      | sum
+//! mask  = list | sum | rules
+//! list  = [ term "*" ] "[" sum { "," sum } "]" [ "@" index ]
+//! rules = class ":" list { ";" class ":" list }
+//! class = "even" | "odd" | integer
 //! ```
+
+use std::collections::BTreeSet;
+
+use refinable_algebra::{Rational, Ring};
 
 use crate::budget::{Budget, FARTHEST_INDEX, MOST_TERMS};
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::Evaluator;
-use crate::expression::{Node, SYMBOL_VARIABLE};
+use crate::expression::{Node, NodeKind, SYMBOL_VARIABLE};
 use crate::lexer::Token;
 use crate::mask::Mask;
 use crate::parser::Parser;
@@ -20,6 +26,8 @@ enum Typed {
     Symbol(Node),
     /// Coefficients.
     List(List),
+    /// Stencils, `even` and `odd` or by their numbers.
+    Rules(Vec<(u64, List)>),
 }
 
 struct List {
@@ -36,6 +44,12 @@ impl Mask {
     /// symmetric list primal if its length is odd and dual if it is even. The mask need not be
     /// normalised.
     ///
+    /// Or rules, `even: [a, 1-2a, a]; odd: [1/2, 1/2]`: the weights of `f'_{mi}, f'_{mi+1}, …`, as many as the
+    /// arity, by their numbers `0: …; 1: …; 2: …` as well. Without an index behind it a list of odd length is
+    /// centred at `f_i`, and one of even length between `f_i` and `f_{i+1}`; an index is that of the first weight.
+    ///
+    /// A row pasted from a table in LaTeX, `\frac{1}{2}[2\alpha, 1, 2-4\alpha, 1, 2\alpha]`, is read as well.
+    ///
     /// # Errors
     /// `syntax`, `symbol`, `pole`, `irrational`, `zero-mask`, `arity`, `budget`.
     pub fn parse(text: &str, arity: usize) -> Result<Self, Diagnostic> {
@@ -43,6 +57,7 @@ impl Mask {
         let symbol = match Parser::new(text)?.mask()? {
             Typed::Symbol(root) => symbol_value(text, &root, &mut budget)?,
             Typed::List(list) => list.value(text, &mut budget)?,
+            Typed::Rules(rules) => rules_value(text, &rules, arity, &mut budget)?,
         };
         Mask::of_quotient(arity, symbol, &mut budget).map_err(|error| error.at(text, 0..text.len()))
     }
@@ -58,7 +73,51 @@ fn symbol_value(text: &str, root: &Node, budget: &mut Budget) -> Result<Quotient
     Evaluator::of_symbol(text, budget).evaluate(root)
 }
 
+/// `Σ_ε z^ε Σ_j w_j z^(-mj)`.
+fn rules_value(
+    text: &str,
+    rules: &[(u64, List)],
+    arity: usize,
+    budget: &mut Budget,
+) -> Result<Quotient, Diagnostic> {
+    let numbers: BTreeSet<u64> = rules.iter().map(|(class, _)| *class).collect();
+    if rules.len() != arity || !numbers.iter().copied().eq(0..arity as u64) {
+        let message =
+            format!("a scheme of arity {arity} has the rules 0 to {}, once each", arity - 1);
+        let hint = "write `even: [...]; odd: [...]`, or name the arity";
+        return Err(Diagnostic::new("arity", message).with_hint(hint).at(text, 0..text.len()));
+    }
+    let mut parts = Vec::new();
+    for (class, list) in rules {
+        parts.push(list.stencil(text, *class as i64, arity as i64, budget)?);
+    }
+    let mut parts = parts.into_iter();
+    let first = parts.next().expect("an arity is not zero");
+    parts.try_fold(first, |sum, part| sum.plus(&part, budget))
+}
+
 impl List {
+    /// The part of the symbol that the weights of a class make up.
+    fn stencil(
+        &self,
+        text: &str,
+        class: i64,
+        arity: i64,
+        budget: &mut Budget,
+    ) -> Result<Quotient, Diagnostic> {
+        let length = self.entries.len() as i64;
+        let first = self.first.unwrap_or(-(length - 1) / 2);
+        // Backwards, with gaps: the weight of `f_{i+j}` is the coefficient of `z^(ε - mj)`.
+        let zero = Node { kind: NodeKind::Number(Rational::zero()), span: 0..0 };
+        let gaps = vec![zero; arity as usize - 1];
+        let reversed = self.entries.iter().rev().cloned();
+        let spread: Vec<Node> =
+            reversed.flat_map(|w| std::iter::once(w).chain(gaps.clone())).collect();
+        let lowest = class - arity * (first + length - 1);
+        let list = List { factor: self.factor.clone(), entries: spread, first: Some(lowest) };
+        list.value(text, budget)
+    }
+
     fn value(&self, text: &str, budget: &mut Budget) -> Result<Quotient, Diagnostic> {
         let values = self
             .entries
@@ -83,21 +142,76 @@ impl List {
 
 impl Parser<'_> {
     fn mask(mut self) -> Result<Typed, Diagnostic> {
+        if self.text.contains(':') {
+            return self.rules();
+        }
         if self.current.token == Token::OpenList {
-            return self.list(None);
+            return self.whole_list(None);
         }
         let first = self.term(true)?;
         // The term has taken the `*` in front of the bracket, otherwise it would have failed.
         if self.current.token == Token::OpenList {
-            return self.list(Some(first));
+            return self.whole_list(Some(first));
         }
         let root = self.sum_after(first)?;
         self.expect_end()?;
         Ok(Typed::Symbol(root))
     }
 
+    fn whole_list(mut self, factor: Option<Node>) -> Result<Typed, Diagnostic> {
+        let list = self.list(factor)?;
+        if self.current.token == Token::Semicolon {
+            return Err(self.unexpected().with_hint("entries are separated by commas"));
+        }
+        self.expect_end()?;
+        Ok(Typed::List(list))
+    }
+
+    fn rules(mut self) -> Result<Typed, Diagnostic> {
+        let mut rules = Vec::new();
+        loop {
+            let class = self.class()?;
+            let factor = match self.current.token {
+                Token::OpenList => None,
+                _ => Some(self.term(true)?),
+            };
+            if self.current.token != Token::OpenList {
+                return Err(
+                    self.error("a rule is a list of weights, as in `even: [1/8, 3/4, 1/8]`")
+                );
+            }
+            let list = self.list(factor)?;
+            rules.push((class, list));
+            if !self.take(&Token::Semicolon)? {
+                break;
+            }
+            if self.current.token == Token::End {
+                break;
+            }
+        }
+        self.expect_end()?;
+        Ok(Typed::Rules(rules))
+    }
+
+    /// `even:`, `odd:` or a number and a colon.
+    fn class(&mut self) -> Result<u64, Diagnostic> {
+        let class = match &self.current.token {
+            Token::Name(name) if name == "even" => Some(0),
+            Token::Name(name) if name == "odd" => Some(1),
+            Token::Number => u64::try_from(self.integer(&self.current)?).ok(),
+            _ => None,
+        };
+        let error = self.error("a rule begins with `even:`, `odd:` or its number and `:`");
+        let class = class.ok_or(error)?;
+        self.bump()?;
+        if !self.take(&Token::Colon)? {
+            return Err(self.error("the name of a rule is followed by `:`"));
+        }
+        Ok(class)
+    }
+
     /// From the bracket on.
-    fn list(mut self, factor: Option<Node>) -> Result<Typed, Diagnostic> {
+    fn list(&mut self, factor: Option<Node>) -> Result<List, Diagnostic> {
         let open = self.bump()?.span;
         let mut entries = Vec::new();
         loop {
@@ -122,8 +236,7 @@ impl Parser<'_> {
                 .unexpected()
                 .with_hint("write the factor in front, as in `1/16*[...]`"));
         }
-        self.expect_end()?;
-        Ok(Typed::List(List { factor, entries, first }))
+        Ok(List { factor, entries, first })
     }
 
     fn entry(&mut self, index: usize) -> Result<Node, Diagnostic> {

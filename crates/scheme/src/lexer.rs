@@ -26,6 +26,12 @@ pub(crate) enum Token {
     Comma,
     At,
     Equals,
+    Colon,
+    Semicolon,
+    /// `\frac`, before two groups in braces.
+    Fraction,
+    OpenBrace,
+    CloseBrace,
     End,
 }
 
@@ -41,6 +47,7 @@ pub(crate) struct Lexed {
 pub(crate) struct Lexer<'a> {
     text: &'a str,
     position: usize,
+    is_latex: bool,
 }
 
 impl<'a> Lexer<'a> {
@@ -51,12 +58,17 @@ impl<'a> Lexer<'a> {
             let message = format!("the text has {} bytes; at most 1 MiB is read", text.len());
             return Err(Diagnostic::new("budget", message));
         }
-        Ok(Lexer { text, position: 0 })
+        Ok(Lexer { text, position: 0, is_latex: text.contains('\\') })
+    }
+
+    /// Whether the text is LaTeX: it has a backslash, which nothing else has.
+    pub fn is_latex(&self) -> bool {
+        self.is_latex
     }
 
     /// The next token; `End` again and again at the end.
     pub fn next(&mut self) -> Result<Lexed, Diagnostic> {
-        let blanks = self.skip(char::is_whitespace);
+        let blanks = self.skip_blanks();
         let start = self.position;
         let Some(c) = self.peek() else {
             return Ok(self.lexed(Token::End, start, blanks > 0));
@@ -65,6 +77,11 @@ impl<'a> Lexer<'a> {
             self.number()?
         } else if let Some(name) = self.name() {
             Token::Name(name)
+        } else if c == '\\' {
+            self.command()?
+        } else if let Some(token) = brace(c).filter(|_| self.is_latex) {
+            self.position += 1;
+            token
         } else {
             self.position += c.len_utf8();
             let span = start..self.position;
@@ -87,6 +104,42 @@ impl<'a> Lexer<'a> {
         let length = rest.find(|c| !wanted(c)).unwrap_or(rest.len());
         self.position += length;
         length
+    }
+
+    /// Skips blanks, and in LaTeX what only spaces, aligns or sizes things.
+    fn skip_blanks(&mut self) -> usize {
+        let start = self.position;
+        loop {
+            self.skip(char::is_whitespace);
+            let rest = &self.text[self.position..];
+            let blank = LATEX_BLANKS
+                .iter()
+                .filter(|blank| rest.starts_with(**blank))
+                .max_by_key(|b| b.len());
+            match blank.filter(|_| self.is_latex) {
+                Some(blank) => self.position += blank.len(),
+                None => return self.position - start,
+            }
+        }
+    }
+
+    /// A command of LaTeX: a fraction, a product, a Greek letter.
+    fn command(&mut self) -> Result<Token, Diagnostic> {
+        let start = self.position;
+        self.position += 1;
+        self.skip(|c| c.is_ascii_alphabetic());
+        let name = &self.text[start + 1..self.position];
+        match name {
+            "frac" | "dfrac" | "tfrac" => Ok(Token::Fraction),
+            "cdot" | "times" => Ok(Token::Star),
+            _ if GREEK.iter().any(|(_, english)| *english == name) => Ok(Token::Name(name.into())),
+            _ => {
+                let end = self.position.max(start + 1);
+                let message = format!("`{}` is not read here", &self.text[start..end]);
+                let hint = "of LaTeX, Greek letters, `\\frac{…}{…}`, `\\cdot` and spaces are read";
+                Err(Diagnostic::new("syntax", message).with_hint(hint).at(self.text, start..end))
+            }
+        }
     }
 
     /// Digits, then perhaps a point and more digits.
@@ -142,6 +195,8 @@ fn punctuation(c: char) -> Option<Token> {
         ',' => Token::Comma,
         '@' => Token::At,
         '=' => Token::Equals,
+        ':' => Token::Colon,
+        ';' => Token::Semicolon,
         _ => return None,
     })
 }
@@ -155,50 +210,65 @@ fn unexpected(c: char) -> Diagnostic {
         '²' | '³' => error.with_hint("write `^2`, `^3`"),
         '√' => error.with_hint("write `sqrt(...)`"),
         '.' => error.with_hint("decimals are written `0.5`"),
-        ';' => error.with_hint("entries are separated by commas"),
         '{' | '}' => error.with_hint("group with `(` and `)`, lists with `[` and `]`"),
-        '\\' | '$' | '&' => error.with_hint("LaTeX is not read here; write `1/2*alpha`"),
+        '$' | '&' => error.with_hint("paste the mask alone"),
         _ => error,
     }
 }
 
-/// The English name of a Greek letter, so that `α` and `alpha` are one parameter.
-fn english(c: char) -> Option<&'static str> {
-    Some(match c {
-        'α' => "alpha",
-        'β' => "beta",
-        'γ' => "gamma",
-        'δ' => "delta",
-        'ε' | 'ϵ' => "epsilon",
-        'ζ' => "zeta",
-        'η' => "eta",
-        'θ' | 'ϑ' => "theta",
-        'ι' => "iota",
-        'κ' | 'ϰ' => "kappa",
-        'λ' => "lambda",
-        'μ' | 'µ' => "mu",
-        'ν' => "nu",
-        'ξ' => "xi",
-        'ο' => "omicron",
-        'π' => "pi",
-        'ρ' | 'ϱ' => "rho",
-        'σ' | 'ς' => "sigma",
-        'τ' => "tau",
-        'υ' => "upsilon",
-        'φ' | 'ϕ' => "phi",
-        'χ' => "chi",
-        'ψ' => "psi",
-        'ω' => "omega",
-        'Γ' => "Gamma",
-        'Δ' => "Delta",
-        'Θ' => "Theta",
-        'Λ' => "Lambda",
-        'Ξ' => "Xi",
-        'Π' => "Pi",
-        'Σ' => "Sigma",
-        'Φ' => "Phi",
-        'Ψ' => "Psi",
-        'Ω' => "Omega",
-        _ => return None,
-    })
+fn brace(c: char) -> Option<Token> {
+    match c {
+        '{' => Some(Token::OpenBrace),
+        '}' => Some(Token::CloseBrace),
+        _ => None,
+    }
 }
+
+/// What LaTeX has between the parts of a formula that means nothing.
+const LATEX_BLANKS: [&str; 13] = [
+    "\\,", "\\;", "\\:", "\\!", "\\ ", "\\\\", "\\left", "\\right", "\\quad", "\\qquad", "~", "$",
+    "&",
+];
+
+/// The English name of a Greek letter, so that `α`, `\alpha` and `alpha` are one parameter.
+fn english(c: char) -> Option<&'static str> {
+    GREEK.iter().find(|(letters, _)| letters.contains(c)).map(|(_, english)| *english)
+}
+
+/// Greek letters with their English names.
+const GREEK: [(&str, &str); 34] = [
+    ("α", "alpha"),
+    ("β", "beta"),
+    ("γ", "gamma"),
+    ("δ", "delta"),
+    ("εϵ", "epsilon"),
+    ("ζ", "zeta"),
+    ("η", "eta"),
+    ("θϑ", "theta"),
+    ("ι", "iota"),
+    ("κϰ", "kappa"),
+    ("λ", "lambda"),
+    ("μµ", "mu"),
+    ("ν", "nu"),
+    ("ξ", "xi"),
+    ("ο", "omicron"),
+    ("π", "pi"),
+    ("ρϱ", "rho"),
+    ("σς", "sigma"),
+    ("τ", "tau"),
+    ("υ", "upsilon"),
+    ("φϕ", "phi"),
+    ("χ", "chi"),
+    ("ψ", "psi"),
+    ("ω", "omega"),
+    ("Γ", "Gamma"),
+    ("Δ", "Delta"),
+    ("Θ", "Theta"),
+    ("Λ", "Lambda"),
+    ("Ξ", "Xi"),
+    ("Π", "Pi"),
+    ("Σ", "Sigma"),
+    ("Φ", "Phi"),
+    ("Ψ", "Psi"),
+    ("Ω", "Omega"),
+];

@@ -2,15 +2,17 @@
 //!
 //! ```text
 //! sum      = term { ("+" | "-") term }
-//! term     = factor { ("*" | "/") factor }
+//! term     = factor { ("*" | "/" | "") factor }
 //! factor   = ("+" | "-") factor | power
 //! power    = primary [ "^" exponent ]
 //! exponent = sign integer | "(" sign integer ")"
-//! primary  = number | name | "(" sum ")" | "sqrt" "(" sum ")"
+//! primary  = number | name | "(" sum ")" | "sqrt" "(" sum ")" | "\frac" "{" sum "}" "{" sum "}"
 //! ```
 //!
-//! Nothing is guessed: two things side by side are never a product, and inside a list `1 -2` is
-//! neither a difference nor two entries.
+//! Nothing is guessed. A number and a name without a blank between them are a product, `16a`, but neither
+//! below a bar, `1/16a`, nor where they may be a power of ten, `1e3`; all other things side by side are
+//! errors, and inside a list `1 -2` is neither a difference nor two entries. In LaTeX, where products are
+//! written so, things side by side are one, but below a bar.
 
 use std::ops::Range;
 
@@ -83,6 +85,11 @@ impl<'a> Parser<'a> {
         Ok(found)
     }
 
+    /// Whether the text is LaTeX.
+    fn is_latex(&self) -> bool {
+        self.lexer.is_latex()
+    }
+
     pub fn error(&self, message: impl Into<String>) -> Diagnostic {
         Diagnostic::new("syntax", message).at(self.text, self.current.span.clone())
     }
@@ -125,7 +132,7 @@ impl<'a> Parser<'a> {
     /// In `[1 -2 1]` the sign may belong to a new entry: refused, not guessed.
     fn reject_sign_glued_to_entry(&self, operator: &Lexed) -> Result<(), Diagnostic> {
         let glued = operator.after_blank && !self.current.after_blank;
-        if !(self.at_entry_level && glued) {
+        if !(self.at_entry_level && glued) || self.is_latex() {
             return Ok(());
         }
         let sign = &self.text[operator.span.clone()];
@@ -141,7 +148,19 @@ impl<'a> Parser<'a> {
         let mut last =
             LastFactor { term_start: first.span.start, start: first.span.start, below_bar: false };
         let mut factors = vec![first];
-        while matches!(self.current.token, Token::Star | Token::Slash) {
+        loop {
+            if self.is_tacit_product(&factors[factors.len() - 1], last.below_bar) {
+                let factor = self.power()?;
+                last.start = factor.span.start;
+                factors.push(factor);
+                continue;
+            }
+            if before_list && self.is_latex() && self.current.token == Token::OpenList {
+                return Ok(joined(factors, NodeKind::Product));
+            }
+            if !matches!(self.current.token, Token::Star | Token::Slash) {
+                break;
+            }
             let operator = self.bump()?;
             if operator.token == Token::Star && self.current.token == Token::Star {
                 return Err(self.error("unexpected `**`").with_hint("powers are written `^`"));
@@ -159,11 +178,33 @@ impl<'a> Parser<'a> {
             });
         }
         match self.current.token {
-            Token::Number | Token::Name(_) | Token::Open => Err(self.missing_operator(&last)),
+            Token::Number | Token::Name(_) | Token::Open | Token::OpenBrace | Token::Fraction => {
+                Err(self.missing_operator(&last))
+            }
             Token::OpenList => Err(self
                 .error("an operator is missing here")
                 .with_hint("write the factor as in `1/16*[...]`")),
             _ => Ok(joined(factors, NodeKind::Product)),
+        }
+    }
+
+    /// Whether what stands beside the last factor, without an operator, is one more.
+    fn is_tacit_product(&self, last: &Node, below_bar: bool) -> bool {
+        let begins = matches!(
+            self.current.token,
+            Token::Number | Token::Name(_) | Token::Open | Token::OpenBrace | Token::Fraction
+        );
+        if below_bar || !begins {
+            return false;
+        }
+        if self.is_latex() {
+            // Two numbers side by side are a slip of the pen.
+            return self.current.token != Token::Number;
+        }
+        let is_number = is_signed_number(last) && last.span.end == self.current.span.start;
+        match &self.current.token {
+            Token::Name(name) => is_number && !is_power_of_ten(name),
+            _ => false,
         }
     }
 
@@ -237,7 +278,14 @@ impl<'a> Parser<'a> {
 
     /// The exponent and the byte after it.
     fn exponent(&mut self) -> Result<(i32, usize), Diagnostic> {
-        let bracketed = self.take(&Token::Open)?;
+        let closing = match self.current.token {
+            Token::Open => Some(Token::Close),
+            Token::OpenBrace => Some(Token::CloseBrace),
+            _ => None,
+        };
+        if closing.is_some() {
+            self.bump()?;
+        }
         let negative = match self.current.token {
             Token::Minus | Token::Plus => self.bump()?.token == Token::Minus,
             _ => false,
@@ -252,8 +300,8 @@ impl<'a> Parser<'a> {
             return Err(Diagnostic::new("budget", message).at(self.text, number.span));
         }
         let mut end = number.span.end;
-        if bracketed {
-            if self.current.token != Token::Close {
+        if let Some(closing) = closing {
+            if self.current.token != closing {
                 return Err(self.not_an_exponent());
             }
             end = self.bump()?.span.end;
@@ -284,7 +332,8 @@ impl<'a> Parser<'a> {
                 let name = name.clone();
                 Ok(node(self.bump()?.span, NodeKind::Name(name)))
             }
-            Token::Open => self.parenthesised(),
+            Token::Open | Token::OpenBrace => self.parenthesised(),
+            Token::Fraction => self.fraction(),
             Token::OpenList => Err(self
                 .error("a list cannot be a part of an expression")
                 .with_hint("a single factor may stand in front of it, as in `(1/8 + w)*[...]`")),
@@ -315,13 +364,35 @@ impl<'a> Parser<'a> {
         Ok(node(span, NodeKind::SquareRoot(Box::new(inner))))
     }
 
+    /// `\frac{…}{…}`.
+    fn fraction(&mut self) -> Result<Node, Diagnostic> {
+        let start = self.bump()?.span.start;
+        let mut part = || {
+            if self.current.token != Token::OpenBrace {
+                let error = self.error("`\\frac` is followed by two groups in braces");
+                return Err(error.with_hint("write `\\frac{1}{2}`"));
+            }
+            self.parenthesised()
+        };
+        let (above, below) = (part()?, part()?);
+        let span = start..below.span.end;
+        let below = node(below.span.clone(), NodeKind::Reciprocal(Box::new(below)));
+        Ok(node(span, NodeKind::Product(vec![above, below])))
+    }
+
     fn parenthesised(&mut self) -> Result<Node, Diagnostic> {
         self.deeper()?;
         let at_entry_level = std::mem::replace(&mut self.at_entry_level, false);
-        let open = self.bump()?.span;
+        let open = self.bump()?;
         let inner = self.sum()?;
-        if self.current.token != Token::Close {
-            let message = format!("expected `)` for the `(` at character {}", self.column(&open));
+        let (opening, closing, wanted) = match open.token {
+            Token::OpenBrace => ('{', '}', Token::CloseBrace),
+            _ => ('(', ')', Token::Close),
+        };
+        let open = open.span;
+        if self.current.token != wanted {
+            let place = self.column(&open);
+            let message = format!("expected `{closing}` for the `{opening}` at character {place}");
             return Err(self.error(message));
         }
         self.at_entry_level = at_entry_level;
@@ -338,6 +409,20 @@ impl<'a> Parser<'a> {
 
 fn node(span: Range<usize>, kind: NodeKind) -> Node {
     Node { kind, span }
+}
+
+fn is_signed_number(node: &Node) -> bool {
+    match &node.kind {
+        NodeKind::Number(_) => true,
+        NodeKind::Negate(inner) => is_signed_number(inner),
+        _ => false,
+    }
+}
+
+/// Whether a name after a number may be meant as a power of ten, as in `1e3`.
+fn is_power_of_ten(name: &str) -> bool {
+    let digits = name.strip_prefix(['e', 'E']);
+    digits.is_some_and(|rest| rest.chars().all(|c| c.is_ascii_digit()))
 }
 
 /// The only element, or all of them under one node.

@@ -61,6 +61,46 @@ fn one_mask_in_four_notations() {
     assert!(!shifted.is_primal() && !shifted.is_dual());
 }
 
+/// Rows as they stand in the sources of papers, rules, and products as they are written by hand.
+#[test]
+fn masks_as_papers_write_them() {
+    for (text, name) in [
+        ("\\frac{1}{2}[2\\alpha, 1, 2-4\\alpha, 1, 2\\alpha]", "a2"),
+        (
+            "$\\frac{1}{16}[-16 \\alpha, -1, 64 \\alpha, 9, 16-96 \\alpha,$\\\\ & $9, 64 \\alpha, -1, -16 \\alpha]$",
+            "a4",
+        ),
+        ("1/16*[-16α, -1, 64α, 9, 16-96α, 9, 64α, -1, -16α] @ -4", "a4"),
+        (
+            "\\left[\\beta (1-\\alpha),\\alpha,\\frac{1}{2}-\\beta (1-\\alpha),1-2\\alpha,\\frac{1}{2}-\\beta (1-\\alpha),\\alpha,\\beta (1-\\alpha)\\right]",
+            "a3",
+        ),
+        (
+            "\\left[\\beta (1-\\alpha),-\\alpha,-\\frac{1}{16}-3 \\beta (1-\\alpha),4 \\alpha,\\frac{9}{16}+2 \\beta (1-\\alpha),1-6 \\alpha,\\frac{9}{16}+2 \\beta (1-\\alpha),4 \\alpha,-\\frac{1}{16}-3 \\beta (1-\\alpha),-\\alpha,\\beta (1-\\alpha)\\right]",
+            "a5",
+        ),
+        ("\\frac{1}{8} z^{-2} \\cdot (1+z)^{4}", "bspline3"),
+        ("even: [alpha, 1-2alpha, alpha]; odd: [1/2, 1/2]", "a2"),
+        ("1: 1/2*[1, 1]; 0: [1/8, 3/4, 1/8];", "bspline3"),
+        ("even: [3/4, 1/4]; odd: [1/4, 3/4]", "bspline2"),
+        ("even: [1] @ 0; odd: 1/16*[-1, 9, 9, -1] @ -1", "dd4"),
+    ] {
+        assert_eq!(resolve(text).mask(), resolve(name).mask(), "{text}");
+    }
+    let ternary = Scheme::resolve("0: [1/3, 2/3] @ -1; 1: [1] @ 0; 2: [2/3, 1/3] @ 0", 3).unwrap();
+    assert_eq!(ternary.mask(), Scheme::resolve("1/3*[1, 2, 3, 2, 1] @ -1", 3).unwrap().mask());
+    // A rule says of its mask what the mask says of its rule.
+    for name in ["a5", "bspline4", "dd6"] {
+        let rule = resolve(name).mask().rule();
+        let spelled = rule.stencils().iter().enumerate().map(|(class, stencil)| {
+            let weights: Vec<String> = stencil.weights().iter().map(ToString::to_string).collect();
+            format!("{class}: [{}] @ {}", weights.join(", "), stencil.first())
+        });
+        let spelled: Vec<String> = spelled.collect();
+        assert_eq!(resolve(&spelled.join("; ")).mask(), resolve(name).mask());
+    }
+}
+
 #[test]
 fn even_lists_are_centred_to_be_dual() {
     let chaikin = resolve("1/4*[1, 3, 3, 1]");
@@ -92,9 +132,10 @@ fn interpolation_is_a_condition_on_the_parameters() {
 }
 
 /// A text, the code, what the caret is under, and a part of the hint.
-const REFUSED: [(&str, &str, &str, &str); 34] = [
+const REFUSED: [(&str, &str, &str, &str); 46] = [
     ("[1/16a, 2]", "syntax", "a", "write `1/16*a` or `1/(16*a)`"),
-    ("[64a]", "syntax", "a", "write `64*a`"),
+    ("[64 a]", "syntax", "a", "write `64, a` or `64*a`"),
+    ("[1/(a)b]", "syntax", "b", "write"),
     ("[2(a+1)]", "syntax", "(", "write `2*(a+1)`"),
     ("[(a+1)(b-1)]", "syntax", "(", "write `(a+1)*(b-1)`"),
     ("[a b]", "syntax", "b", "write `a, b` or `a*b`"),
@@ -119,7 +160,18 @@ const REFUSED: [(&str, &str, &str, &str); 34] = [
     ("z^2^3", "syntax", "^", "`(a^b)^c`"),
     ("z^1.5", "syntax", "1.5", ""),
     ("(1+z", "syntax", "", ""),
-    ("\\frac{1}{2}*z", "syntax", "\\", "LaTeX"),
+    ("\\half*z", "syntax", "\\half", "Greek"),
+    ("\\frac12*z", "syntax", "12", "\\frac{1}{2}"),
+    ("\\frac{1}{2*z", "syntax", "", ""),
+    ("[1/2\\alpha, 1]", "syntax", "\\alpha", "`1/2*\\alpha`"),
+    ("[\\alpha 2, 1]", "syntax", "2", ""),
+    ("{1}*z", "syntax", "{", "group with"),
+    ("even: [1]; odd: [1/2, 1/2", "syntax", "", ""),
+    ("even: [1], odd: [1/2, 1/2]", "syntax", ",", ""),
+    ("even [1]: odd", "syntax", "[", ""),
+    ("other: [1]", "syntax", "other", ""),
+    ("even: [1]; even: [1]", "arity", "even: [1]; even: [1]", "`even: [...]; odd: [...]`"),
+    ("even: [1]; odd: [1/2, 1/2]; 2: [1]", "arity", "even: [1]; odd: [1/2, 1/2]; 2: [1]", ""),
     ("[sqrt(2), 1]", "irrational", "sqrt(2)", ""),
     ("[1/(a - a), 1]", "pole", "(a - a)", ""),
     ("[z, 1]", "symbol", "z", ""),
