@@ -25,6 +25,7 @@ const LEAD: usize = 40;
 /// | `not-normalised` | a stencil whose weights do not sum to 1 |
 /// | `unknown-scheme` | a name that the catalogue does not have |
 /// | `substitution` | a parameter that cannot be set |
+/// | `construction` | arguments that a construction does not take |
 /// | `derivation` | a recorded step that does not follow from the one before |
 ///
 /// ```

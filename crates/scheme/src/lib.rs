@@ -12,6 +12,7 @@
 //! | `displacement` | three families by their recursion of displacement vectors |
 //! | `narration` | derivations as text: [`Equation`] |
 //! | `catalogue` | the schemes that have names |
+//! | `construction` | schemes made of numbers, parameters and other schemes |
 //! | `scheme` | [`Scheme`], [`Substitution`], what a user means by a line of text |
 //! | `quotient`, `budget` | arithmetic on input that nobody has vetted |
 //!
@@ -28,6 +29,7 @@
 
 mod budget;
 mod catalogue;
+mod construction;
 mod derivation;
 mod diagnostic;
 mod displacement;
@@ -45,6 +47,7 @@ mod scheme;
 mod substitution;
 
 pub use catalogue::{Entry, catalogue};
+pub use construction::{Construction, constructions};
 pub use derivation::{Derivation, Points, Step, Vectors, Weight};
 pub use diagnostic::Diagnostic;
 pub use displacement::{even_family, interpolatory_family, odd_family};

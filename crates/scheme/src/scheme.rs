@@ -6,6 +6,7 @@ use refinable_algebra::Parameter;
 
 use crate::budget::Budget;
 use crate::catalogue::look_up;
+use crate::construction::constructed;
 use crate::derivation::Derivation;
 use crate::diagnostic::Diagnostic;
 use crate::expression::SYMBOL_VARIABLE;
@@ -27,8 +28,9 @@ impl Scheme {
         Scheme { name: name.into(), mask, derivation: None }
     }
 
-    /// The scheme that `text` means: a name of the [`catalogue`](crate::catalogue()), or a mask in the
-    /// notation of [`Mask::parse`], whose text then is the name.
+    /// The scheme that `text` means: a name of the [`catalogue`](crate::catalogue()), a construction such as
+    /// `pseudo(4, 1)` of [`constructions`](crate::constructions), which knows its arity, or a mask in the notation
+    /// of [`Mask::parse`]; the text then is the name.
     ///
     /// ```
     /// use refinable_scheme::Scheme;
@@ -62,9 +64,20 @@ impl Scheme {
         if is_name(text) {
             return named(text, arity)?.with(substitutions);
         }
-        let mask = Mask::parse(text, arity)?;
+        let mask = match constructed(text, 0) {
+            Some(made) => made?,
+            None => Mask::parse(text, arity)?,
+        };
         let mask = substituted(&mask, substitutions)?;
         Ok(Scheme::new(text, Normalised::new(mask)?))
+    }
+
+    /// An argument of a construction: a name, a construction, or a binary mask.
+    pub(crate) fn resolve_nested(text: &str, depth: usize) -> Result<Self, Diagnostic> {
+        match constructed(text, depth) {
+            Some(mask) => Ok(Scheme::new(text, Normalised::new(mask?)?)),
+            None => Scheme::resolve(text, 2),
+        }
     }
 
     /// The name; of a mask that was typed in, the text.

@@ -1,0 +1,89 @@
+//! Constructions against each other and against masks as their papers print them.
+
+use refinable_scheme::{Normalised, Scheme, Substitution, constructions};
+
+fn mask(text: &str) -> Normalised {
+    Scheme::resolve(text, 2).unwrap_or_else(|e| panic!("{text}: {e}")).mask().clone()
+}
+
+fn at(text: &str, sets: &[&str]) -> Normalised {
+    let sets: Vec<_> = sets.iter().map(|s| Substitution::parse(s).unwrap()).collect();
+    Scheme::resolve(text, 2).unwrap().with(&sets).unwrap().mask().clone()
+}
+
+#[test]
+fn pseudo_splines_run_from_splines_to_interpolation() {
+    for m in 1..=6 {
+        assert_eq!(mask(&format!("pseudo({m}, 0)")), mask(&format!("bspline{}", 2 * m - 1)));
+        assert_eq!(mask(&format!("pseudo({m}, {})", m - 1)), mask(&format!("dd{}", 2 * m)));
+        assert_eq!(mask(&format!("dualpseudo({m}, 0)")), mask(&format!("bspline{}", 2 * m)));
+    }
+    // The second is the dual four-point scheme, as Dyn, Floater and Hormann print it.
+    assert_eq!(mask("dualpseudo(1, 1)"), mask("1/32*[-3, 5, 30, 30, 5, -3] @ -3"));
+    assert_eq!(mask("dualpseudo(2, 1)"), mask("1/128*[-5, -7, 35, 105, 105, 35, -7, -5]"));
+    // At α = 3/128, where the degree rises to five, S_{a4} is one of them.
+    assert_eq!(mask("pseudo(3, 1)"), at("a4", &["alpha=3/128"]));
+}
+
+#[test]
+fn families_meet() {
+    assert_eq!(mask("jspline(0)"), mask("dd4"));
+    assert_eq!(mask("jspline(1)"), mask("bspline3"));
+    assert_eq!(mask("jspline(3/2)"), mask("bspline5"));
+    assert_eq!(mask("jspline(8*alpha, 16*beta*(1-alpha)+1)"), mask("a3"));
+    assert_eq!(mask("fourpoint(-beta)"), mask("i4"));
+    assert_eq!(mask("fourpoint(1/16)"), mask("dd4"));
+    assert_eq!(mask("sixpoint(beta)"), mask("i6"));
+    assert_eq!(mask("sixpoint(3/256)"), mask("dd6"));
+    assert_eq!(mask("dualfourpoint(0)"), mask("bspline2"));
+    assert_eq!(mask("dualfourpoint(1/128)"), mask("dualpseudo(2, 1)"));
+    for k in 4..9 {
+        let (m, kind) = (k / 2, if k % 2 == 0 { "pseudo" } else { "dualpseudo" });
+        assert_eq!(mask(&format!("hormannsabin({k})")), mask(&format!("{kind}({m}, 1)")));
+    }
+    // Li and Zheng: the cubic spline and the four-point scheme are ends of the line of J-splines.
+    assert_eq!(mask("combine(dd4, bspline3, s)"), mask("jspline(s)"));
+    assert_eq!(mask("combine(bspline1, bspline3, 1)"), mask("bspline3"));
+}
+
+#[test]
+fn products_of_symbols() {
+    for k in 1..8 {
+        assert_eq!(mask(&format!("smooth(bspline1, {k})")), mask(&format!("bspline{}", k + 1)));
+    }
+    // Each half step is rounded to the left.
+    assert_eq!(mask("shift(smooth(smooth(dd4, 1), 1), 1)"), mask("smooth(dd4, 2)"));
+    assert_eq!(mask("convolve(bspline1, bspline1)"), mask("bspline3"));
+    assert_eq!(mask("shift(convolve(bspline2, bspline2), 1)"), mask("bspline5"));
+    assert_eq!(mask("convolve(a2, dd4)"), mask("convolve(dd4, a2)"));
+    let ternary = Scheme::resolve("ternaryfourpoint(1/11)", 2).unwrap();
+    let printed = "1/99*[-4, -7, 0, 34, 76, 99, 76, 34, 0, -7, -4] @ -5";
+    assert_eq!(ternary.mask(), Scheme::resolve(printed, 3).unwrap().mask());
+}
+
+#[test]
+fn what_is_no_construction() {
+    for (text, code) in [
+        ("pseudo(2, 2)", "construction"),
+        ("pseudo(0, 0)", "construction"),
+        ("pseudo(2)", "construction"),
+        ("pseudo(2, x)", "construction"),
+        ("pseudo(99999999999, 1)", "construction"),
+        ("hormannsabin(1)", "construction"),
+        ("fourpoint(1/0)", "pole"),
+        ("fourpoint(w, 1)", "construction"),
+        ("fourpoint()", "syntax"),
+        ("fourpoint(w]", "syntax"),
+        ("jspline(1, 2, 3)", "construction"),
+        ("smooth(dd4)", "construction"),
+        ("smooth(nosuch, 1)", "unknown-scheme"),
+        ("combine(dd4, ternaryfourpoint(1/11), w)", "arity"),
+        ("combine(dd4, dd6, z)", "symbol"),
+        ("shift(dd4, 1.5)", "construction"),
+    ] {
+        assert_eq!(Scheme::resolve(text, 2).unwrap_err().code(), code, "{text}");
+    }
+    let nested = format!("{}dd4{}", "smooth(".repeat(20), ", 1)".repeat(20));
+    assert_eq!(Scheme::resolve(&nested, 2).unwrap_err().code(), "budget");
+    assert!(constructions().iter().all(|c| c.signature().contains('(')));
+}
