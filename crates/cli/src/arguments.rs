@@ -141,6 +141,19 @@ pub enum Command {
         #[arg(long, short, value_name = "FILE")]
         output: Option<PathBuf>,
     },
+    /// Check scheme files against what they expect: exit code 0 as expected, 1 something differs, 2 unreadable
+    Check {
+        /// The files, *.scheme.toml
+        #[arg(value_name = "FILE", required = true)]
+        files: Vec<PathBuf>,
+        #[command(flatten)]
+        format: FormatArgument,
+    },
+    /// Print a scheme file that expects what is found now
+    Expect {
+        #[command(flatten)]
+        scheme: SchemeArguments,
+    },
     /// Check certificates: exit code 0 valid, 1 invalid, 2 unreadable
     Verify {
         /// The files
@@ -348,8 +361,9 @@ pub struct AuditArguments {
 /// A scheme with some of its parameters set.
 #[derive(Args, Debug)]
 pub struct SchemeArguments {
-    /// A name such as a4, a5, i4, dd6, bspline3; a mask such as '[-w, 0, 1/2+w, 1, 1/2+w, 0, -w]';
-    /// or a symbol such as '1/8*z^-2*(1+z)^4'
+    /// A name such as a4, a5, i4, dd6, bspline3; a construction such as 'pseudo(4, 1)' or 'smooth(dd4, 2)'; a file
+    /// *.scheme.toml; a mask such as '[-w, 0, 1/2+w, 1, 1/2+w, 0, -w]'; rules such as 'even: [a, 1-2a, a];
+    /// odd: [1/2, 1/2]'; or a symbol such as '1/8*z^-2*(1+z)^4'
     #[arg(value_name = "SCHEME", allow_hyphen_values = true)]
     pub scheme: String,
     /// Set a parameter, exactly: alpha=1/8, beta=0.05, 'beta=(8*alpha-1)/(16*(1-alpha))'; repeatable

@@ -11,11 +11,12 @@ use refinable_analysis::{Budget, Fineness, Map, Options, Sharpness, continuity_a
 use refinable_certificate::{Certificate, MAP_FORMAT, MapCertificate, verify, verify_map};
 use refinable_papers::{Claims, Paper, Table};
 use refinable_report::{
-    Audit, CERTIFICATES, CertificateStore, Effort, FamilyMaps, HolderMap, MapStore, Maps, Quantity,
-    Scan, Site, Sweep, degree_table, norm_table, proof_text, range_table, regularity_table,
-    report_site, rule_picture, sharp_range, sharp_range_table, show,
+    Audit, CERTIFICATES, CertificateStore, Checked, Effort, FamilyMaps, HolderMap, MapStore, Maps,
+    Quantity, Scan, Site, Sweep, check, check_json, degree_table, expected_file, norm_table,
+    proof_text, range_table, regularity_table, report_site, rule_picture, sharp_range,
+    sharp_range_table, show,
 };
-use refinable_scheme::{Scheme, Substitution};
+use refinable_scheme::{Scheme, SchemeFile, Substitution};
 
 use crate::arguments::{
     Arguments, AuditArguments, Command, Format, FormatArgument, MapArguments, Mapped, ReportAction,
@@ -133,6 +134,8 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
                 None => output::print_text(&text)?,
             }
         }
+        Command::Check { files, format } => return check_files(files, format.format),
+        Command::Expect { scheme } => output::print_text(&expected_file(&resolve(scheme)?))?,
         Command::Verify { files } => return verify_files(files),
         Command::Norm { scheme, continuity, level, format } => {
             let scheme = resolve(scheme)?;
@@ -171,7 +174,55 @@ pub fn resolve_text(text: &str, arity: u32, set: &[String]) -> Result<Scheme, Fa
     for text in set {
         substitutions.push(Substitution::parse(text)?);
     }
+    if text.ends_with(SCHEME_FILE) {
+        return Ok(read_scheme(Path::new(text))?.scheme.with(&substitutions)?);
+    }
     Ok(Scheme::resolve_with(text, arity as usize, &substitutions)?)
+}
+
+/// How the names of scheme files end.
+const SCHEME_FILE: &str = ".toml";
+
+fn read_scheme(path: &Path) -> Result<SchemeFile, Failure> {
+    let bytes = files::read_limited(path)?;
+    let text = String::from_utf8(bytes).map_err(|_| {
+        let hint = "docs/scheme-files.md describes the format";
+        Failure::new("file", format!("{}: this is no text", path.display()), hint)
+    })?;
+    let file = SchemeFile::parse(&text);
+    Ok(file.map_err(|error| error.within(&path.display().to_string()))?)
+}
+
+/// Checks one file after the other; exit code 1 if something differs.
+fn check_files(paths: &[PathBuf], format: Format) -> Result<ExitCode, Failure> {
+    let mut differs = false;
+    let mut documents = Vec::new();
+    for path in paths {
+        let file = read_scheme(path)?;
+        let checked = check(&file).map_err(|error| error.within(&path.display().to_string()))?;
+        let missed: Vec<&Checked> = checked.iter().filter(|c| !c.holds()).collect();
+        differs |= !missed.is_empty();
+        if format == Format::Json {
+            documents.push((file.scheme.name().to_string(), checked));
+            continue;
+        }
+        let mut text = format!(
+            "{}: {} of {} as expected\n",
+            path.display(),
+            checked.len() - missed.len(),
+            checked.len()
+        );
+        for c in missed {
+            let source =
+                c.source.as_ref().map_or_else(String::new, |source| format!(" ({source})"));
+            text.push_str(&format!("  {}{source}\n  - {}\n  + {}\n", c.what, c.expected, c.found));
+        }
+        output::print_text(&text)?;
+    }
+    if format == Format::Json {
+        output::print_text(&check_json(&documents))?;
+    }
+    Ok(ExitCode::from(u8::from(differs)))
 }
 
 /// Where a picture goes, and how: asked before work that takes long.

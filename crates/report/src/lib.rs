@@ -10,6 +10,7 @@
 //! | `scan` | [`Scan`]: a quantity at every point of a grid |
 //! | `svg`, `frame`, `raster` | what pictures have in common; from SVG to pixels |
 //! | `curve`, `surface`, `basis` | [`Curve`], [`TensorSurface`], [`Basis`]: refined points, limits, as data and as SVG |
+//! | `expect` | [`check`]: what scheme files expect, against what is found |
 //! | `interproximate` | [`Assignment`]: tensions at every control point |
 //! | `mesh` | [`Mesh`]: surfaces as OBJ, PLY and STL |
 //! | `rule_picture` | sketches of stencils |
@@ -29,6 +30,7 @@ mod basis;
 mod canvas;
 mod curve;
 mod degrees;
+mod expect;
 mod families;
 mod figures;
 mod frame;
@@ -60,6 +62,7 @@ pub use audit::{Agreement, Audit, AuditedCell, AuditedTable, CertificateStore, E
 pub use basis::Basis;
 pub use curve::{Curve, CurveOptions};
 pub use degrees::degree_table;
+pub use expect::{Checked, check, check_json, expected_file};
 pub use families::{FamilyMaps, MapStore};
 pub use grid::{Cell, Document, Grid};
 pub use interproximate::{

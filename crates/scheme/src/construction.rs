@@ -323,18 +323,16 @@ fn scalar(text: &str, budget: &mut Budget) -> Result<Quotient, Diagnostic> {
 /// B. Dong, Z. Shen, *Pseudo-splines, wavelets and framelets*, 2007; N. Dyn, K. Hormann, M. Sabin, Z. Shen,
 /// *Polynomial reproduction by symmetric subdivision schemes*, J. Approx. Theory 155 (2008).
 fn pseudo_spline(m: u32, l: u32, is_dual: bool) -> Result<Mask, Diagnostic> {
-    if l >= m + u32::from(is_dual) || m == 0 && !is_dual {
-        let hint = if is_dual { "l is at most m" } else { "l is at most m - 1" };
-        return Err(
-            Diagnostic::new("construction", "there is no such pseudo-spline").with_hint(hint)
-        );
+    if l >= m {
+        return Err(Diagnostic::new("construction", "there is no such pseudo-spline")
+            .with_hint("l is less than m, half the number of factors 1 + z, rounded down"));
     }
     // C(h+j, j) = Π_{i=1..j} (h+i)/i, with 2h whole.
     let twice = 2 * i64::from(m) - if is_dual { 1 } else { 2 };
     let mut binomial = Rational::one();
     let mut sum = String::from("1");
     for j in 1..=i64::from(l) {
-        binomial = binomial * Rational::new((twice + 2 * j).into(), (2 * j).into());
+        binomial *= Rational::new((twice + 2 * j).into(), (2 * j).into());
         sum.push_str(&format!(" + {binomial}*(-(1-z)^2/(4*z))^{j}"));
     }
     let factor = if is_dual { "(1 + 1/z)" } else { "2" };

@@ -26,6 +26,7 @@ const LEAD: usize = 40;
 /// | `unknown-scheme` | a name that the catalogue does not have |
 /// | `substitution` | a parameter that cannot be set |
 /// | `construction` | arguments that a construction does not take |
+/// | `file` | a scheme file that is not of the format |
 /// | `derivation` | a recorded step that does not follow from the one before |
 ///
 /// ```

@@ -14,6 +14,7 @@
 //! | `catalogue` | the schemes that have names |
 //! | `construction` | schemes made of numbers, parameters and other schemes |
 //! | `scheme` | [`Scheme`], [`Substitution`], what a user means by a line of text |
+//! | `file` | [`SchemeFile`]: a scheme with its source and what is expected of it |
 //! | `quotient`, `budget` | arithmetic on input that nobody has vetted |
 //!
 //! **Conventions.** `f'_i = Σ_j a_{i-mj} f_j` with arity `m`; the weights of every stencil sum to 1,
@@ -35,6 +36,7 @@ mod diagnostic;
 mod displacement;
 mod evaluation;
 mod expression;
+mod file;
 mod inline;
 mod lexer;
 mod mask;
@@ -52,6 +54,7 @@ pub use derivation::{Derivation, Points, Step, Vectors, Weight};
 pub use diagnostic::Diagnostic;
 pub use displacement::{even_family, interpolatory_family, odd_family};
 pub use expression::{Expression, Node, NodeKind};
+pub use file::{Expectation, ExpectedRange, SchemeFile};
 pub use mask::Mask;
 pub use narration::Equation;
 pub use normalised::Normalised;
