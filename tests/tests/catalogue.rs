@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::PathBuf;
 
-use refinable_report::{check, expected_file};
+use refinable_report::{Checked, check, expected_file};
 use refinable_scheme::{Scheme, SchemeFile};
 
 fn files() -> Vec<(String, SchemeFile)> {
@@ -45,7 +45,7 @@ fn expectations_are_kept_and_differences_found() {
         let written = expected_file(&Scheme::resolve(text, 2).unwrap());
         let file = SchemeFile::parse(&written).unwrap();
         let checked = check(&file).unwrap();
-        assert!(checked.len() >= 4 && checked.iter().all(|c| c.holds()), "{text}: {written}");
+        assert!(checked.len() >= 4 && checked.iter().all(Checked::holds), "{text}: {written}");
     }
     let dd6 = expected_file(&Scheme::resolve("dd6", 2).unwrap());
     for (from, to, what) in [

@@ -141,6 +141,24 @@ pub enum Command {
         #[arg(long, short, value_name = "FILE")]
         output: Option<PathBuf>,
     },
+    /// Everything about one scheme on one page
+    Analyze {
+        #[command(flatten)]
+        scheme: SchemeArguments,
+        #[command(flatten)]
+        format: FormatArgument,
+    },
+    /// The table with which papers set schemes side by side
+    Compare {
+        /// The schemes, each as for other commands
+        #[arg(value_name = "SCHEME", required = true, allow_hyphen_values = true)]
+        schemes: Vec<String>,
+        /// The arity of inline masks and symbols
+        #[arg(long, value_name = "M", default_value_t = 2, value_parser = clap::value_parser!(u32).range(2..=64))]
+        arity: u32,
+        #[command(flatten)]
+        format: FormatArgument,
+    },
     /// Check scheme files against what they expect: exit code 0 as expected, 1 something differs, 2 unreadable
     Check {
         /// The files, *.scheme.toml

@@ -12,8 +12,8 @@ use refinable_certificate::{Certificate, MAP_FORMAT, MapCertificate, verify, ver
 use refinable_papers::{Claims, Paper, Table};
 use refinable_report::{
     Audit, CERTIFICATES, CertificateStore, Checked, Effort, FamilyMaps, HolderMap, MapStore, Maps,
-    Quantity, Scan, Site, Sweep, check, check_json, degree_table, expected_file, norm_table,
-    proof_text, range_table, regularity_table, report_site, rule_picture, sharp_range,
+    Quantity, Scan, Site, Sweep, analyze, check, check_json, compare, degree_table, expected_file,
+    norm_table, proof_text, range_table, regularity_table, report_site, rule_picture, sharp_range,
     sharp_range_table, show,
 };
 use refinable_scheme::{Scheme, SchemeFile, Substitution};
@@ -133,6 +133,13 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
                 Some(path) => files::write_file(path, text.as_bytes())?,
                 None => output::print_text(&text)?,
             }
+        }
+        Command::Analyze { scheme, format } => {
+            output::print(&analyze(&resolve(scheme)?), format.format)?;
+        }
+        Command::Compare { schemes, arity, format } => {
+            let resolved = schemes.iter().map(|text| resolve_text(text, *arity, &[]));
+            output::print(&compare(&resolved.collect::<Result<Vec<_>, _>>()?), format.format)?;
         }
         Command::Check { files, format } => return check_files(files, format.format),
         Command::Expect { scheme } => output::print_text(&expected_file(&resolve(scheme)?))?,

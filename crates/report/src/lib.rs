@@ -10,6 +10,7 @@
 //! | `scan` | [`Scan`]: a quantity at every point of a grid |
 //! | `svg`, `frame`, `raster` | what pictures have in common; from SVG to pixels |
 //! | `curve`, `surface`, `basis` | [`Curve`], [`TensorSurface`], [`Basis`]: refined points, limits, as data and as SVG |
+//! | `compare`, `analyze` | schemes side by side; one scheme on a page |
 //! | `expect` | [`check`]: what scheme files expect, against what is found |
 //! | `interproximate` | [`Assignment`]: tensions at every control point |
 //! | `mesh` | [`Mesh`]: surfaces as OBJ, PLY and STL |
@@ -25,9 +26,11 @@
 //! Nothing here knows the clock, the terminal or the file system: the same input gives the same
 //! bytes on every machine.
 
+mod analyze;
 mod audit;
 mod basis;
 mod canvas;
+mod compare;
 mod curve;
 mod degrees;
 mod expect;
@@ -58,8 +61,10 @@ mod surface_picture;
 mod svg;
 mod sweep;
 
+pub use analyze::analyze;
 pub use audit::{Agreement, Audit, AuditedCell, AuditedTable, CertificateStore, Effort, Ranges};
 pub use basis::Basis;
+pub use compare::compare;
 pub use curve::{Curve, CurveOptions};
 pub use degrees::degree_table;
 pub use expect::{Checked, check, check_json, expected_file};

@@ -15,6 +15,7 @@
 //! | `construction` | schemes made of numbers, parameters and other schemes |
 //! | `scheme` | [`Scheme`], [`Substitution`], what a user means by a line of text |
 //! | `file` | [`SchemeFile`]: a scheme with its source and what is expected of it |
+//! | `identity` | [`identities`]: which known scheme a mask is |
 //! | `quotient`, `budget` | arithmetic on input that nobody has vetted |
 //!
 //! **Conventions.** `f'_i = Σ_j a_{i-mj} f_j` with arity `m`; the weights of every stencil sum to 1,
@@ -37,6 +38,7 @@ mod displacement;
 mod evaluation;
 mod expression;
 mod file;
+mod identity;
 mod inline;
 mod lexer;
 mod mask;
@@ -55,6 +57,7 @@ pub use diagnostic::Diagnostic;
 pub use displacement::{even_family, interpolatory_family, odd_family};
 pub use expression::{Expression, Node, NodeKind};
 pub use file::{Expectation, ExpectedRange, SchemeFile};
+pub use identity::{Identity, identities};
 pub use mask::Mask;
 pub use narration::Equation;
 pub use normalised::Normalised;

@@ -86,3 +86,33 @@ fn what_is_no_construction() {
     assert_eq!(Scheme::resolve(&nested, 2).unwrap_err().code(), "budget");
     assert!(constructions().iter().all(|c| c.signature().contains('(')));
 }
+
+#[test]
+fn masks_are_recognised() {
+    let names = |text: &str| -> Vec<String> {
+        let scheme = Scheme::resolve(text, 2).unwrap();
+        refinable_scheme::identities(scheme.mask()).iter().map(ToString::to_string).collect()
+    };
+    let has = |text: &str, known: &str| {
+        let found = names(text);
+        assert!(found.iter().any(|name| name == known), "{text}: {found:?}");
+    };
+    has("1/8*[1, 4, 6, 4, 1]", "bspline3");
+    has("1/8*[1, 4, 6, 4, 1]", "jspline(s) with s = 1");
+    has("1/8*[1, 4, 6, 4, 1] @ 3", "bspline3, indices moved by 5");
+    has("1/16*[-1, 0, 9, 16, 9, 0, -1]", "dd4");
+    has("1/16*[-1, 0, 9, 16, 9, 0, -1]", "fourpoint(w) with w = 1/16");
+    has("1/16*[-1, 0, 9, 16, 9, 0, -1]", "a4 with alpha = 0");
+    has("[-u/2, 0, (1+u)/2, 1, (1+u)/2, 0, -u/2]", "fourpoint(w) with w = 1/2*u");
+    has("1/128*[-5, -7, 35, 105, 105, 35, -7, -5]", "dualpseudo(2, 1)");
+    has("ternaryfourpoint(t/2)", "ternaryfourpoint(mu) with mu = 1/2*t");
+    let special = "1/128*[-3, -8, 12, 72, 110, 72, 12, -8, -3]";
+    has(special, "pseudo(3, 1)");
+    has(special, "a4 with alpha = 3/128");
+    has("jspline(8*t, 16*u+1)", "a3 with alpha = t, beta = -u/(t - 1)");
+    for stranger in
+        ["[1/3, 1/4, 2/3, 3/4]", "[1, 1] @ 5", "1/8*(1+z+z^2+z^3)^2", "[1/2, 1/2, 1/2, 1/2]"]
+    {
+        assert_eq!(names(stranger), Vec::<String>::new(), "{stranger}");
+    }
+}
