@@ -1,161 +1,237 @@
-"""refine.py: refinement of curves and surfaces as experts write it in Python, to be set beside `cargo bench -p refinable-refine`.
+"""refine.py [ROUNDS [ROUNDS]]: refinement of curves and surfaces in Python, beside `cargo bench -p refinable-refine`.
 
     python3 benches/peers/refine.py            (pip install numpy scipy numba)
 
 S_a5 at alpha = 1/16, beta = -1/48. Curves: closed, 2-D, 1000 points, ten levels. Surfaces: closed in both directions,
-3-D, 100 x 100 points, five levels. Prints nanoseconds per point of the last level, least and median of several runs.
-"""
+3-D, 100 x 100 points, five levels. Prints nanoseconds per point of the last level, least and median. One thread; the
+rivals of a round take turns; what is compiled is compiled before. The last level is a new array each time, the levels
+before it are written over those of the run before: new memory costs as much as the arithmetic. The rivals agree."""
+import sys
 import time
+from statistics import median
 
+import numba
 import numpy as np
-from numba import njit
 from scipy import ndimage
 
-a, b = 1 / 16, -1 / 48 * (1 - 1 / 16)
-VERTEX = np.array([-a, 4 * a, 1 - 6 * a, 4 * a, -a])
-EDGE = np.array([b, -1 / 16 - 3 * b, 9 / 16 + 2 * b, 9 / 16 + 2 * b, -1 / 16 - 3 * b, b])
+ALPHA, B = 1 / 16, -1 / 48 * (1 - 1 / 16)
+# Half of each rule, from the outside: both are symmetric, which saves multiplications.
+V2, V1, V0 = -ALPHA, 4 * ALPHA, 1 - 6 * ALPHA
+E2, E1, E0 = B, -1 / 16 - 3 * B, 9 / 16 + 2 * B
+VERTEX, EDGE = np.array([V2, V1, V0, V1, V2]), np.array([E2, E1, E0, E0, E1, E2])
+BLOCK = 1 << 15  # numbers of a temporary: those in use stay in the cache
 
 
-def slices(f):
-    """A level along the first axis, by slices of a padded array."""
-    n = len(f)
-    p = np.concatenate((f[-2:], f, f[:3]))
-    new = np.empty((2 * n,) + f.shape[1:])
-    even, odd = new[0::2], new[1::2]
-    np.multiply(p[0:n], VERTEX[0], out=even)
-    np.multiply(p[0:n], EDGE[0], out=odd)
-    for k in range(1, 5):
-        even += VERTEX[k] * p[k:n + k]
-    for k in range(1, 6):
-        odd += EDGE[k] * p[k:n + k]
+# ---- levels ----------------------------------------------------------------------------------------------------------
+
+
+def scratch(f, count):
+    """Arrays for all levels but the last, with two rows before and three after."""
+    refined = 2 if f.ndim == 3 else 1  # directions
+    sizes = ([n << k for n in f.shape[:refined]] + [*f.shape[refined:]] for k in range(count))
+    out = [np.empty((n + 5, *rest)) for n, *rest in sizes]
+    out[0][2:-3] = f
+    close(out[0])
+    return out
+
+
+def close(p):
+    p[:2], p[-3:] = p[-5:-3], p[2:5]
+
+
+def refine(step, arrays):
+    for p, q in zip(arrays, arrays[1:]):
+        step(p, q[2:-3])
+        close(q)
+    p = arrays[-1]
+    rows = 2 * (len(p) - 5)
+    new = np.empty((rows, 2 * p.shape[1], 3) if p.ndim == 3 else (rows, *p.shape[1:]))
+    step(p, new)
     return new
 
 
-def convolved(columns):
-    """A level of coordinates kept apart, by np.convolve."""
-    new = []
-    for x in columns:
-        p = np.concatenate((x[-2:], x, x[:3]))
-        y = np.empty(2 * len(x))
-        y[0::2] = np.convolve(p[:-1], VERTEX[::-1], "valid")
-        y[1::2] = np.convolve(p, EDGE[::-1], "valid")
-        new.append(y)
+# ---- numpy slices ----------------------------------------------------------------------------------------------------
+
+
+def rules(x, t, u, even, odd):
+    """Both rules of six shifted slices, without new arrays: t and u are scratch."""
+    np.add(x[0], x[4], t)
+    np.multiply(t, V2, t)
+    np.add(x[1], x[3], u)
+    np.multiply(u, V1, u)
+    np.add(t, u, t)
+    np.multiply(x[2], V0, u)
+    np.add(t, u, even)
+    np.add(x[0], x[5], t)
+    np.multiply(t, E2, t)
+    np.add(x[1], x[4], u)
+    np.multiply(u, E1, u)
+    np.add(t, u, t)
+    np.add(x[2], x[3], u)
+    np.multiply(u, E0, u)
+    np.add(t, u, odd)
+
+
+CURVE = np.empty((4, BLOCK))
+
+
+def curve_slices(p, new):
+    """In blocks, and flat, so that all slices are contiguous; a point is moved to its place as a complex number."""
+    flat, pairs, n = p.reshape(-1), new.view(complex).reshape(-1, 2), len(p) - 5
+    for i in range(0, n, BLOCK // 2):
+        k = min(BLOCK // 2, n - i)
+        t, u, even, odd = CURVE[:, : 2 * k]
+        rules([flat[2 * j : 2 * (j + k)] for j in range(i, i + 6)], t, u, even, odd)
+        pairs[i : i + k, 0], pairs[i : i + k, 1] = even.view(complex), odd.view(complex)
+
+
+def along(f, new):
+    """A level along the rows."""
+    n, m, _ = f.shape
+    p = np.concatenate((f[:, -2:], f, f[:, :3]), 1).reshape(n, -1)
+    t, u, even, odd = np.empty((4, n, 3 * m))
+    rules([p[:, 3 * j : 3 * (j + m)] for j in range(6)], t, u, even, odd)
+    for c in range(3):  # three long loops, not many of three numbers
+        new[:, 0::2, c], new[:, 1::2, c] = even[:, c::3], odd[:, c::3]
+
+
+def surface_slices(p, new):
+    """Along the rows, then across them straight into the result, in blocks of rows; five rows are kept for the next."""
+    n, m = len(p) - 5, p.shape[1]
+    size = max(1, min(n, BLOCK // (6 * m)))
+    rows, scratch = np.empty((size + 5, 2 * m, 3)), np.empty((2, size, 2 * m, 3))
+    along(p[:5], rows[:5])
+    for i in range(0, n, size):
+        k = min(size, n - i)
+        along(p[i + 5 : i + 5 + k], rows[5 : 5 + k])
+        t, u = scratch[:, :k]
+        rules([rows[j : j + k] for j in range(6)], t, u, new[2 * i : 2 * (i + k) : 2], new[2 * i + 1 : 2 * (i + k) : 2])
+        rows[:5] = rows[k : k + 5].copy()
+
+
+# ---- np.convolve, ndimage --------------------------------------------------------------------------------------------
+
+
+def curve_convolve(p, new):
+    """Of one coordinate. np.convolve turns its second argument round: turned before, it is contiguous, and faster."""
+    n = len(p) - 5
+    for i in range(0, n, BLOCK):
+        k = min(BLOCK, n - i)
+        new[2 * i : 2 * (i + k) : 2] = np.convolve(p[i : i + k + 4], VERTEX[::-1], "valid")
+        new[2 * i + 1 : 2 * (i + k) : 2] = np.convolve(p[i : i + k + 5], EDGE[::-1], "valid")
+
+
+def ndimage_levels(f, arrays):
+    new = np.empty((arrays[-1].shape[0], 2 * arrays[-1].shape[1], 3))
+    for k, out in enumerate([*arrays, new]):
+        axis = k % 2
+        at = (slice(None),) * axis
+        ndimage.convolve1d(f, VERTEX, axis, out[at + (slice(0, None, 2),)], "wrap")
+        ndimage.convolve1d(f, EDGE, axis, out[at + (slice(1, None, 2),)], "wrap")
+        f = out
     return new
 
 
-@njit(cache=False)
-def compiled(f, v, e):
-    n, d = f.shape
-    new = np.empty((2 * n, d))
-    for i in range(n):
-        inside = 2 <= i < n - 3
-        for c in range(d):
-            s = 0.0
-            t = 0.0
-            if inside:
-                for k in range(5):
-                    s += v[k] * f[i + k - 2, c]
-                for k in range(6):
-                    t += e[k] * f[i + k - 2, c]
-            else:
-                for k in range(5):
-                    s += v[k] * f[(i + k - 2) % n, c]
-                for k in range(6):
-                    t += e[k] * f[(i + k - 2) % n, c]
-            new[2 * i, c] = s
-            new[2 * i + 1, c] = t
-    return new
+# ---- numba -----------------------------------------------------------------------------------------------------------
 
 
-@njit(cache=False)
-def compiled_surface(f, v, e):
-    n, m, d = f.shape
-    rows = np.empty((2 * n, m, d))
-    for i in range(n):
+@numba.njit(fastmath=True, cache=False)
+def curve_numba(p, new):
+    x, y = p.reshape(-1), new.reshape(-1)
+    for i in range(len(p) - 5):
+        for c in range(2):
+            j, k = 2 * i + c, 4 * i + c
+            y[k] = V2 * (x[j] + x[j + 8]) + V1 * (x[j + 2] + x[j + 6]) + V0 * x[j + 4]
+            y[k + 2] = E2 * (x[j] + x[j + 10]) + E1 * (x[j + 2] + x[j + 8]) + E0 * (x[j + 4] + x[j + 6])
+
+
+@numba.njit(fastmath=True, cache=False)
+def surface_numba(p, new):
+    """Along each row into a ring of six rows, then across them: the result is written once, and nothing else."""
+    height, m, _ = p.shape
+    f, out = p.reshape(height, 3 * m), new.reshape(2 * height - 10, 6 * m)
+    ring, x = np.empty((6, 6 * m)), np.empty(3 * m + 15)
+    for i in range(height):
+        x[:6], x[6 : 3 * m + 6], x[3 * m + 6 :] = f[i, 3 * m - 6 :], f[i], f[i, :9]
+        row = ring[i % 6]
         for j in range(m):
-            for c in range(d):
-                s = 0.0
-                t = 0.0
-                for k in range(5):
-                    s += v[k] * f[(i + k - 2) % n, j, c]
-                for k in range(6):
-                    t += e[k] * f[(i + k - 2) % n, j, c]
-                rows[2 * i, j, c] = s
-                rows[2 * i + 1, j, c] = t
-    new = np.empty((2 * n, 2 * m, d))
-    for i in range(2 * n):
-        for j in range(m):
-            inside = 2 <= j < m - 3
-            for c in range(d):
-                s = 0.0
-                t = 0.0
-                if inside:
-                    for k in range(5):
-                        s += v[k] * rows[i, j + k - 2, c]
-                    for k in range(6):
-                        t += e[k] * rows[i, j + k - 2, c]
-                else:
-                    for k in range(5):
-                        s += v[k] * rows[i, (j + k - 2) % m, c]
-                    for k in range(6):
-                        t += e[k] * rows[i, (j + k - 2) % m, c]
-                new[i, 2 * j, c] = s
-                new[i, 2 * j + 1, c] = t
-    return new
+            for c in range(3):
+                k, l = 3 * j + c, 6 * j + c
+                row[l] = V2 * (x[k] + x[k + 12]) + V1 * (x[k + 3] + x[k + 9]) + V0 * x[k + 6]
+                row[l + 3] = E2 * (x[k] + x[k + 15]) + E1 * (x[k + 3] + x[k + 12]) + E0 * (x[k + 6] + x[k + 9])
+        if i < 5:
+            continue
+        r0, r1, r2 = ring[(i + 1) % 6], ring[(i + 2) % 6], ring[(i + 3) % 6]
+        r3, r4, r5 = ring[(i + 4) % 6], ring[(i + 5) % 6], row
+        even, odd = out[2 * i - 10], out[2 * i - 9]
+        for k in range(6 * m):
+            even[k] = V2 * (r0[k] + r4[k]) + V1 * (r1[k] + r3[k]) + V0 * r2[k]
+        for k in range(6 * m):
+            odd[k] = E2 * (r0[k] + r5[k]) + E1 * (r1[k] + r4[k]) + E0 * (r2[k] + r3[k])
 
 
-def by_ndimage(f):
-    for axis in (0, 1):
-        shape = list(f.shape)
-        shape[axis] *= 2
-        new = np.empty(shape)
-        even = [slice(None)] * 3
-        odd = [slice(None)] * 3
-        even[axis], odd[axis] = slice(0, None, 2), slice(1, None, 2)
-        new[tuple(even)] = ndimage.correlate1d(f, VERTEX, axis=axis, mode="wrap")
-        # Six weights around i + 1/2: the centre of the filter is moved by one.
-        new[tuple(odd)] = ndimage.correlate1d(f, EDGE, axis=axis, mode="wrap", origin=-1)
-        f = new
-    return f
+# ---- the table -------------------------------------------------------------------------------------------------------
 
 
-def by_slices(f):
-    return np.ascontiguousarray(np.swapaxes(slices(np.ascontiguousarray(np.swapaxes(slices(f), 0, 1))), 0, 1))
+def curves(f, count):
+    """{rival: a call that refines}"""
+    arrays, columns = scratch(f, count), [scratch(x.copy(), count) for x in f.T]
+    return {
+        "numpy slices": lambda: refine(curve_slices, arrays),
+        "np.convolve": lambda: [refine(curve_convolve, x) for x in columns],
+        "numba, one thread": lambda: refine(curve_numba, arrays),
+    }
 
 
-def levels(step, f, count):
+def surfaces(f, count):
+    arrays, (n, m, _) = scratch(f, count), f.shape
+    halves = [np.empty((2 * n << k // 2, m << (k + 1) // 2, 3)) for k in range(2 * count - 1)]
+    return {
+        "numpy slices": lambda: refine(surface_slices, arrays),
+        "ndimage": lambda: ndimage_levels(f, halves),
+        "numba, one thread": lambda: refine(surface_numba, arrays),
+    }
+
+
+def literal(f, axis):
+    """The two rules as they are written, along an axis."""
+    at = lambda k: np.roll(f, -k, axis)
+    even = -ALPHA * at(-2) + 4 * ALPHA * at(-1) + (1 - 6 * ALPHA) * f + 4 * ALPHA * at(1) - ALPHA * at(2)
+    inner, outer = (9 / 16 + 2 * B) * (f + at(1)), (1 / 16 + 3 * B) * (at(-1) + at(2))
+    odd = B * at(-2) - outer + inner + B * at(3)
+    return np.stack((even, odd), axis + 1).reshape(*f.shape[:axis], -1, *f.shape[axis + 1 :])
+
+
+def agree(f, rivals, count, axes):
+    expected = f
     for _ in range(count):
-        f = step(f)
-    return f
+        for axis in axes:
+            expected = literal(expected, axis)
+    for name, run in rivals(f, count).items():
+        result = run()
+        result = np.stack(result, 1) if isinstance(result, list) else result
+        assert result.shape == expected.shape and abs(result - expected).max() < 1e-12, name
 
 
-def report(name, points, run, runs):
-    times = []
-    for _ in range(runs):
-        start = time.perf_counter()
-        run()
-        times.append((time.perf_counter() - start) / points * 1e9)
-    times.sort()
-    print(f"{name:28} {times[0]:8.1f} {times[len(times) // 2]:8.1f}")
+def report(title, points, rivals, rounds):
+    rivals["plain copy"] = next(iter(rivals.values()))().copy
+    times = {name: [] for name in rivals}
+    for _ in range(rounds):
+        for name, run in rivals.items():
+            start = time.perf_counter()
+            run()
+            times[name].append((time.perf_counter() - start) / points * 1e9)
+    for name, t in times.items():
+        print(f"{title + ', ' + name:28} {min(t):8.2f} {median(t):8.2f}")
 
 
-rng = np.random.default_rng(7)
-small, net = rng.random((40, 2)), rng.random((12, 14, 3))
-for other in (np.stack(levels(convolved, list(small.T), 3), 1), levels(lambda f: compiled(f, VERTEX, EDGE), small, 3)):
-    assert abs(levels(slices, small, 3) - other).max() < 1e-12
-for other in (levels(by_ndimage, net, 2), levels(lambda f: compiled_surface(f, VERTEX, EDGE), net, 2)):
-    assert abs(levels(by_slices, net, 2) - other).max() < 1e-12
+def main(rounds_of_curves=25, rounds_of_surfaces=9):
+    rng = np.random.default_rng(7)
+    agree(rng.random((40, 2)), curves, 3, [0])
+    agree(rng.random((12, 14, 3)), surfaces, 3, [0, 1])
+    print(f"{'ns per point':28} {'least':>8} {'median':>8}")
+    report("curve", 1000 << 10, curves(rng.random((1000, 2)), 10), rounds_of_curves)
+    report("surface", (100 << 5) ** 2, surfaces(rng.random((100, 100, 3)), 5), rounds_of_surfaces)
 
-curve, surface = rng.random((1000, 2)), rng.random((100, 100, 3))
-columns = [np.ascontiguousarray(x) for x in curve.T]
-fine, mesh = levels(slices, curve, 10), levels(by_slices, surface, 5)
-print(f"{'ns per point':28} {'least':>8} {'median':>8}")
-report("curve, numpy slices", len(fine), lambda: levels(slices, curve, 10), 15)
-report("curve, np.convolve", len(fine), lambda: levels(convolved, columns, 10), 15)
-report("curve, numba, one thread", len(fine), lambda: levels(lambda f: compiled(f, VERTEX, EDGE), curve, 10), 15)
-report("curve, copy", len(fine), fine.copy, 15)
-points = mesh.shape[0] * mesh.shape[1]
-report("surface, numpy slices", points, lambda: levels(by_slices, surface, 5), 5)
-report("surface, ndimage", points, lambda: levels(by_ndimage, surface, 5), 5)
-report("surface, numba, one thread", points, lambda: levels(lambda f: compiled_surface(f, VERTEX, EDGE), surface, 5), 5)
-report("surface, copy", points, mesh.copy, 5)
+
+main(*map(int, sys.argv[1:]))

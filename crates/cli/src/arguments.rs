@@ -151,7 +151,7 @@ pub enum Command {
     /// The table with which papers set schemes side by side
     Compare {
         /// The schemes, each as for other commands
-        #[arg(value_name = "SCHEME", required = true, allow_hyphen_values = true)]
+        #[arg(value_name = "SCHEME", required = true)]
         schemes: Vec<String>,
         /// The arity of inline masks and symbols
         #[arg(long, value_name = "M", default_value_t = 2, value_parser = clap::value_parser!(u32).range(2..=64))]
