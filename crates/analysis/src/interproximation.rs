@@ -26,6 +26,8 @@ const SPAN: [i64; 2] = [-1, 1];
 const TOLERANCES: [u32; 3] = [9, 6, 4];
 /// The power of `T` whose norm is taken.
 const POWER: u32 = 64;
+/// The widest masks for which the search ends soon.
+const WIDEST: i64 = 24;
 /// Bits of the logarithm.
 const BITS: u32 = 40;
 
@@ -61,6 +63,12 @@ pub fn interproximate_tensions(name: &str, mask: &Normalised) -> Result<TensionC
     let (fixed, value) = interpolation(mask).ok_or_else(not_interpolating)?;
     let free: Vec<&Parameter> = parameters.iter().filter(|p| **p != fixed).collect();
     let [free] = free[..] else { return Err(not_interpolating()) };
+    if mask.support_width() > Rational::from_i64(WIDEST) {
+        let hint = "give the tensions yourself";
+        return Err(
+            Diagnostic::new("tensions", "the masks are too long for a search").with_hint(hint)
+        );
+    }
     let window = smooth_window(name, mask)?;
     let landscape = landscape(name, mask, &window, [2, 2])?;
     let Some(summit) = landscape.highest() else {

@@ -1,5 +1,6 @@
 //! What continues an open polygon beyond its ends.
 
+use std::collections::BTreeMap;
 use std::ops::Range;
 
 use refinable_algebra::{Rational, Ring, rational};
@@ -71,11 +72,7 @@ impl Ends {
         let from_end = |j: i64| if end == 0 { j } else { end - j };
         match self {
             Ends::Trim => unreachable!("a trimmed polygon is asked for none of these"),
-            Ends::Reflect => {
-                let mirrored = self.point(from_end(beyond), n, false);
-                let twice = (end as usize, Rational::from_i64(2));
-                mirrored.into_iter().map(|(i, w)| (i, -w)).chain([twice]).collect()
-            }
+            Ends::Reflect => reflected(index, n),
             Ends::Extrapolate { degree } => {
                 let degree = (n - 1).min(degree as i64);
                 let weight = |j| lagrange(j, degree, -beyond);
@@ -83,6 +80,20 @@ impl Ends {
             }
         }
     }
+}
+
+/// Reflections at both ends move on: `f_{i+2(n-1)} = f_i + 2 (f_{n-1} - f_0)`.
+fn reflected(index: i64, n: i64) -> Vec<(usize, Rational)> {
+    let (turns, rest) = (index.div_euclid(2 * (n - 1)), index.rem_euclid(2 * (n - 1)));
+    let mut weights = BTreeMap::from([(0, -2 * turns), (n - 1, 2 * turns)]);
+    if rest < n {
+        *weights.entry(rest).or_default() += 1;
+    } else {
+        *weights.entry(2 * (n - 1) - rest).or_default() -= 1;
+        *weights.entry(n - 1).or_default() += 2;
+    }
+    let used = weights.into_iter().filter(|(_, w)| *w != 0);
+    used.map(|(i, w)| (i as usize, Rational::from_i64(w))).collect()
 }
 
 /// At `x`, the polynomial that is 1 at `j` and 0 at the other nodes of `0, …, degree`.

@@ -112,7 +112,7 @@ impl<T: Coordinate> Interproximate<T> {
         let (count, width) = (polygon.count(), polygon.dimension());
         self.check(tensions, count)?;
         let closed = polygon.is_closed();
-        let rules = vec![&self.hull; levels as usize];
+        let rules = self.hull.repeated(levels)?;
         let cascade = Cascade::new(rules.clone(), count, closed, ends)?;
         memory::check(&rules, 2 * cascade.count() as u64 * width as u64)?;
         let ranges = cascade.ranges(cascade.last());
@@ -144,7 +144,7 @@ impl<T: Coordinate> Interproximate<T> {
     ) -> Result<Net<T>, Diagnostic> {
         let (counts, closed) = ([net.rows(), net.columns()], net.closed());
         self.check(&Tensions::of_vertices(members.to_vec()), counts[0] * counts[1])?;
-        let rules = vec![&self.hull; levels as usize];
+        let rules = self.hull.repeated(levels)?;
         let cascade = |d: usize| Cascade::new(rules.clone(), counts[d], closed[d], ends[d]);
         let cascades = [cascade(ACROSS)?, cascade(ALONG)?];
         let points = cascades[0].count() as u64 * cascades[1].count() as u64;

@@ -12,6 +12,8 @@ use refinable_scheme::{Diagnostic, Normalised};
 use crate::coordinate::Coordinate;
 use crate::weights::{Stencil, Weights, constant_coefficients};
 
+/// The widest support of `φ`: matrices have as many rows.
+const WIDEST: usize = 128;
 /// The most steps until the fractional parts repeat.
 const LONGEST_ORBIT: usize = 64;
 
@@ -67,7 +69,7 @@ impl BasicLimit {
     ///
     /// # Errors
     /// Code `limit` if the values are not determined: no scheme that is C^n with stable shifts has this;
-    /// `place` if the orbit of `x` is too long.
+    /// `place` if the orbit of `x` is too long; `budget` if the support is too wide.
     pub fn stencil(&self, x: &Rational, order: u32) -> Result<Stencil<Rational>, Diagnostic> {
         let values = self.values(x, order)?;
         // φ(x + l) is the weight of f_{-l}.
@@ -93,6 +95,11 @@ impl BasicLimit {
 
     /// The pairs `(l, φ^(n)(x + l))`, ascending, over the support.
     fn values(&self, x: &Rational, order: u32) -> Result<Vec<(i64, Rational)>, Diagnostic> {
+        if self.window().count() > WIDEST {
+            let message = "the support is too wide for exact limits";
+            let hint = format!("{WIDEST} control points are the most");
+            return Err(Diagnostic::new("budget", message).with_hint(hint));
+        }
         let whole = x.floor();
         let (digits, start) = self.orbit(&(x - &whole))?;
         let (before, period) = digits.split_at(start.0);

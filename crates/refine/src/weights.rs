@@ -7,6 +7,9 @@ use refinable_scheme::{Diagnostic, Normalised};
 
 use crate::coordinate::Coordinate;
 
+/// The most levels: even a single point makes more than `2^48` by then.
+const MOST_LEVELS: u32 = 48;
+
 /// The weights of one new point: `f'_{mi+ε} = Σ_k weights[k] f_{i+first+k}`.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Stencil<T> {
@@ -92,6 +95,18 @@ impl<T: Coordinate> Weights<T> {
     /// The bits of the common denominator of the weights.
     pub fn denominator_bits(&self) -> u64 {
         self.denominator_bits
+    }
+
+    /// The rule as often as there are levels.
+    ///
+    /// # Errors
+    /// Code `levels` for more than anybody can count.
+    pub fn repeated(&self, levels: u32) -> Result<Vec<&Self>, Diagnostic> {
+        if levels > MOST_LEVELS {
+            let message = format!("{levels} levels make more points than can be counted");
+            return Err(Diagnostic::new("levels", message).with_hint("ask for fewer levels"));
+        }
+        Ok(vec![self; levels as usize])
     }
 
     /// The old points that some new ones are made of.

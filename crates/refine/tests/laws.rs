@@ -335,6 +335,12 @@ fn what_cannot_be_refined_says_so() {
     };
     let rule = weights::<f64>("dd6", 2);
     let line = |n: usize, closed| Polygon::new(1, vec![1.0; n], closed).unwrap();
+    // Neither a long way nor a wide support is a danger.
+    let far = weights::<f64>("1/2*(1+z)*z^1000 + 1/2*(1+z)*z^-1000", 2);
+    assert_eq!(refine(&line(2, false), &[&far], Ends::Reflect).unwrap().values(), [1.0; 2]);
+    assert_eq!(rule.repeated(u32::MAX).unwrap_err().code(), "levels");
+    let wide = BasicLimit::new(&mask("bspline200", 2)).unwrap();
+    assert_eq!(wide.stencil(&rational(0, 1), 0).unwrap_err().code(), "budget");
     let (kind, message, hint) = code(refine(&line(3, false), &[&rule], Ends::Trim));
     assert_eq!(
         (kind, &message[..]),

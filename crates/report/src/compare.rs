@@ -13,6 +13,9 @@ use crate::regularity::exact_text;
 use crate::sharp::sharp_range;
 use crate::show::words;
 
+/// The widest masks of families that are searched.
+const WIDEST: i64 = 28;
+
 /// What is found about the smoothness of a scheme or a family, and where.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Smoothness {
@@ -33,6 +36,9 @@ impl Smoothness {
     /// smoothest member found.
     pub fn of(scheme: &Scheme) -> Self {
         let found = match scheme.mask().parameters().len() {
+            1.. if scheme.mask().support_width() > Rational::from_integer(WIDEST.into()) => {
+                Err(Diagnostic::new("budget", "the masks are too long for a search"))
+            }
             0 => Smoothness::of_single(scheme),
             1 => Smoothness::over_one(scheme),
             2 => Smoothness::over_two(scheme),

@@ -119,7 +119,7 @@ fn refined<T: Coordinate>(
     options: CurveOptions,
 ) -> Result<Polygon<T>, Diagnostic> {
     let rule = Weights::new(scheme.mask())?;
-    let rules = vec![&rule; options.levels as usize];
+    let rules = rule.repeated(options.levels)?;
     if !options.limit {
         return refine(polygon, &rules, options.ends);
     }
@@ -143,7 +143,7 @@ impl Curve<f64> {
         let limit = BasicLimit::new(scheme.mask())?;
         let last = [limit.rule(0)?, limit.rule(1)?, limit.rule(2)?];
         let rule = Weights::new(scheme.mask())?;
-        let rules = vec![&rule; self.levels as usize];
+        let rules = rule.repeated(self.levels)?;
         let jets = refine_to(&self.control, &rules, &last.each_ref(), ends)?;
         // Derivatives by the parameter of the last level: curvature does not depend on it.
         let teeth = jets[1].points().zip(jets[2].points()).map(|(d, dd)| {

@@ -33,7 +33,7 @@ impl<T: Coordinate> TensorSurface<T> {
         ends: [Ends; 2],
     ) -> Result<Self, Diagnostic> {
         let rules = [Weights::new(schemes[0].mask())?, Weights::new(schemes[1].mask())?];
-        let chains = rules.each_ref().map(|rule| vec![rule; levels as usize]);
+        let chains = [rules[ACROSS].repeated(levels)?, rules[ALONG].repeated(levels)?];
         let points = refine_net(&control, [&chains[ACROSS], &chains[ALONG]], ends)?;
         Ok(TensorSurface {
             schemes: schemes.map(|s| s.name().to_string()),
