@@ -60,9 +60,9 @@ pub struct TensionChoice {
 /// geometric design*, 2002.
 pub fn interproximate_tensions(name: &str, mask: &Normalised) -> Result<TensionChoice, Diagnostic> {
     let parameters: Vec<Parameter> = mask.parameters().into_iter().collect();
-    let (fixed, value) = interpolation(mask).ok_or_else(not_interpolating)?;
+    let (fixed, value) = interpolation(mask).ok_or_else(|| not_interpolating(mask))?;
     let free: Vec<&Parameter> = parameters.iter().filter(|p| **p != fixed).collect();
-    let [free] = free[..] else { return Err(not_interpolating()) };
+    let [free] = free[..] else { return Err(not_interpolating(mask)) };
     if mask.support_width() > Rational::from_i64(WIDEST) {
         let hint = "give the tensions yourself";
         return Err(
@@ -98,7 +98,7 @@ pub fn interproximate_tensions(name: &str, mask: &Normalised) -> Result<TensionC
             best = Some((x, exponent));
         }
     }
-    let (x, at_vertices) = best.ok_or_else(not_interpolating)?;
+    let (x, at_vertices) = best.ok_or_else(|| not_interpolating(mask))?;
     let interpolating =
         parameters.iter().map(|p| if *p == fixed { &value } else { &x }).cloned().collect();
     Ok(TensionChoice {
@@ -109,12 +109,13 @@ pub fn interproximate_tensions(name: &str, mask: &Normalised) -> Result<TensionC
     })
 }
 
-fn not_interpolating() -> Diagnostic {
+fn not_interpolating(mask: &Normalised) -> Diagnostic {
     let message = "tensions are chosen for primal binary families of two parameters, one of which decides whether \
                    points are kept";
-    Diagnostic::new("tensions", message).with_hint(
-        "give them: --interpolating 'alpha=0,beta=-1/20' --approximating 'alpha=1/8,beta=0'",
-    )
+    let names: Vec<String> = mask.parameters().iter().map(|p| format!("{p}=…")).collect();
+    let names = names.join(",");
+    Diagnostic::new("tensions", message)
+        .with_hint(format!("give them: --interpolating '{names}' --approximating '{names}'"))
 }
 
 /// The parameter that decides whether the vertex rule keeps the old points, and the value at which it does.

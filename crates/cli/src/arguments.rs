@@ -117,7 +117,7 @@ pub enum Command {
         #[command(flatten)]
         scheme: SchemeArguments,
         /// Values at all multiples of 1/2^L, or of 1/m^L for arity m
-        #[arg(long, short, value_name = "L", default_value_t = 4)]
+        #[arg(long, short, value_name = "L", default_value_t = 5)]
         levels: u32,
         /// The highest derivative; up to the second, as far as it is continuous, if left out
         #[arg(long, value_name = "N")]
@@ -240,10 +240,11 @@ pub struct PointsArguments {
     /// How many times to refine
     #[arg(long, short, value_name = "L", default_value_t = 5)]
     pub levels: u32,
-    /// How an open polygon goes on beyond its ends: not at all, reflected at them, or extrapolated by
-    /// polynomials as high as the scheme reproduces, at most cubic
-    #[arg(long, value_enum, default_value_t = EndsArgument::Trim)]
-    pub ends: EndsArgument,
+    /// How an open polygon goes on beyond its ends: not at all (the default, but for interproximate), so that
+    /// it gets shorter; reflected at them; or extrapolated by polynomials as high as the scheme
+    /// reproduces, at most cubic
+    #[arg(long, value_enum)]
+    pub ends: Option<EndsArgument>,
     /// Where to write it; the end of the name tells the format
     #[arg(long, short, value_name = "FILE")]
     pub output: Option<PathBuf>,
@@ -277,7 +278,7 @@ pub struct CurveArguments {
     /// Move the points onto the limit curve
     #[arg(long)]
     pub limit: bool,
-    /// Draw a curvature comb, for planar curves of schemes that are C^2
+    /// Draw a curvature comb on the limit curve, for planar curves of schemes that are C^2
     #[arg(long, requires = "output", conflicts_with = "exact")]
     pub comb: bool,
     /// Refine exactly, in rational numbers
@@ -301,8 +302,8 @@ pub struct SurfaceArguments {
     #[arg(long, value_name = "NAME=VALUE", requires = "across", allow_hyphen_values = true)]
     pub set_across: Vec<String>,
     /// How many points a row has, where no blank lines or brackets tell
-    #[arg(long, value_name = "N")]
-    pub columns: Option<usize>,
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    pub columns: Option<u32>,
     /// In which directions the net is closed
     #[arg(long, value_enum, default_value_t = Closed::Neither)]
     pub closed: Closed,
@@ -333,7 +334,8 @@ pub struct InterproximateArguments {
     /// The points.
     #[command(flatten)]
     pub points: PointsArguments,
-    /// Control points that are interpolated, by their numbers from 0
+    /// Control points that are interpolated, by their numbers from 0. The edge after a point takes its tensions, so
+    /// that the order of the points matters
     #[arg(long, value_name = "I,J,…", value_delimiter = ',')]
     pub interpolate: Vec<usize>,
     /// The tensions of points that are interpolated: 'alpha=0,beta=-1/20'
@@ -357,8 +359,8 @@ pub struct InterproximateArguments {
     #[arg(long)]
     pub surface: bool,
     /// How many points a row of the net has, where no blank lines or brackets tell
-    #[arg(long, value_name = "N", requires = "surface")]
-    pub columns: Option<usize>,
+    #[arg(long, value_name = "N", requires = "surface", value_parser = clap::value_parser!(u32).range(1..))]
+    pub columns: Option<u32>,
 }
 
 /// How much work an audit may do.

@@ -94,7 +94,7 @@ pub fn curve(arguments: &CurveArguments) -> Result<(), Failure> {
     let goal = goal(&arguments.points, false)?;
     let format = arguments.points.format.format;
     let scheme = resolve(&arguments.scheme)?;
-    let ends = ends(arguments.points.ends, &scheme);
+    let ends = ends(arguments.points.ends.unwrap_or(EndsArgument::Trim), &scheme);
     if arguments.exact {
         if matches!(goal, Some((_, Target::Picture(_)))) {
             return Err(only_floats());
@@ -158,7 +158,8 @@ fn made_surface<T: Coordinate>(arguments: &SurfaceArguments) -> Result<TensorSur
         None => along.clone(),
     };
     let net = net(read::<T>(&arguments.points.points)?, arguments.columns, arguments.closed)?;
-    let ends = [&across, &along].map(|scheme| ends(arguments.points.ends, scheme));
+    let ends = [&across, &along]
+        .map(|scheme| ends(arguments.points.ends.unwrap_or(EndsArgument::Trim), scheme));
     Ok(TensorSurface::new([&across, &along], net, arguments.points.levels, ends)?)
 }
 
@@ -193,9 +194,14 @@ pub fn interproximate(arguments: &InterproximateArguments) -> Result<(), Failure
     let points = &arguments.points;
     let goal = goal(points, arguments.surface)?;
     let family = resolve(&arguments.scheme)?;
+    if tensions_of(&family).is_empty() {
+        let hint = "take a family such as a3 or a5, or `refinable curve` for a single scheme";
+        return Err(Failure::new("tensions", format!("{} has no tensions", family.name()), hint));
+    }
     let table = TensionTable::new(&family, &read::<Rational>(&points.points)?)?;
     let assignment = assignment(arguments, &family, &table)?;
-    let ends = ends(points.ends, &family);
+    // Trimmed ends would lose points that are to be interpolated.
+    let ends = ends(points.ends.unwrap_or(EndsArgument::Reflect), &family);
     let table = in_floats(&table.points);
     let (name, levels) = (family.name(), points.levels);
     if arguments.surface {
@@ -213,7 +219,8 @@ pub fn interproximate(arguments: &InterproximateArguments) -> Result<(), Failure
     let control = polygon(table, arguments.closed != Closed::Neither)?;
     let refined = assignment.refine(&family, &control, levels, ends)?;
     let document = assignment_document(&family, &assignment, polygon_json(&refined), levels)?;
-    let made = Curve::of_points(name, control, refined, levels);
+    let marked = assignment.interpolated(&family)?;
+    let made = Curve::of_points(name, control, refined, levels, marked);
     match goal {
         Some((path, Target::Picture(image))) => image.write(path, &made.picture()?),
         _ => emit_assigned(goal, points.format.format, &|| polygon_csv(made.points()), document),
@@ -250,6 +257,8 @@ fn assignment(
     }
     let interpolating = arguments.interpolating.as_deref();
     let interpolating = interpolating.map(|text| member(family, text)).transpose()?;
+    let count = table.points.values.len() / table.points.dimension;
+    Assignment::expect_points(count, &arguments.interpolate)?;
     let (interpolating, approximating) = match (interpolating, approximating) {
         (None, Some(approximating)) if arguments.interpolate.is_empty() => {
             (approximating.clone(), approximating)
@@ -266,7 +275,6 @@ fn assignment(
             )
         }
     };
-    let count = table.points.values.len() / table.points.dimension;
     let interpolated = &arguments.interpolate;
     let made = Assignment::of_vertices(count, interpolated, interpolating, approximating)?;
     if let Some(moved) = first_missing(interpolated, &made.interpolated(family)?) {
@@ -347,7 +355,7 @@ fn in_floats(table: &PointTable<Rational>) -> PointTable<f64> {
 fn polygon<T: Coordinate>(table: PointTable<T>, closed: bool) -> Result<Polygon<T>, Failure> {
     if table.rows.len() > 1 {
         let message = format!("the points make up {} rows", table.rows.len());
-        let hint = "a polygon has no blank lines; a net is for `refinable surface`";
+        let hint = "a polygon has no blank lines; a net is for `refinable surface`, or --surface";
         return Err(Failure::new("points", message, hint));
     }
     Ok(Polygon::new(table.dimension, table.values, closed)?)
@@ -355,14 +363,19 @@ fn polygon<T: Coordinate>(table: PointTable<T>, closed: bool) -> Result<Polygon<
 
 fn net<T: Coordinate>(
     table: PointTable<T>,
-    columns: Option<usize>,
+    columns: Option<u32>,
     closed: Closed,
 ) -> Result<Net<T>, Failure> {
     let columns = match (columns, &table.rows[..]) {
-        (Some(columns), [_]) => columns,
+        (Some(columns), [_]) => columns as usize,
         (None, [_]) => {
             let hint = "put a blank line between the rows of the net, or say --columns N";
             return Err(Failure::new("points", "the points make up a single row", hint));
+        }
+        (Some(columns), rows) if rows.iter().any(|n| *n != columns as usize) => {
+            let message = format!("blank lines or brackets make rows of {}", rows[0]);
+            let hint = "leave out --columns, or the blank lines";
+            return Err(Failure::new("points", message, hint));
         }
         (_, rows) => {
             if let Some(k) = rows.iter().position(|n| *n != rows[0]) {

@@ -345,7 +345,7 @@ fn points_from_a_pipe() {
         (b"1,2\n3,nan\n", "error[points]: line 2: `nan` is no number"),
         (b"1,2\n3\n", "error[points]: line 2: 1 numbers, but 2 before"),
         (b"1,2\n\xff\xfe\n", "error[points]: line 2: this is no text"),
-        (b"1,2\n", "error[points]: 1 points are too few for the stencils of the scheme"),
+        (b"1,2\n", "error[points]: too few points for the stencils of the scheme: 1"),
     ] {
         let output = piped(&chaikin, input);
         assert_eq!(code(&output), 2, "{}", stdout(&output));
@@ -386,7 +386,7 @@ fn curves_and_surfaces_in_files() {
     }
     assert_eq!(fs::read_dir(dir.path()).unwrap().count(), cases.len());
     let curve = json(&[&curve[..], &["--levels", "0"]].concat());
-    assert_eq!(curve["points"][2], serde_json::json!([5, 5]));
+    assert_eq!(curve["points"][2], serde_json::json!([5.0, 5.0]));
     let basis = json(&["basis", "dd4", "--levels", "0"]);
     assert_eq!(basis["values"][3]["values"][0]["exact"], "1");
 }

@@ -196,7 +196,7 @@ fn between_ends<T: Coordinate>(rules: &[&Weights<T>], count: usize) -> Range<i64
 fn too_few<T: Coordinate>(rules: &[&Weights<T>], count: usize) -> Diagnostic {
     let enough = (count + 1..=count + LARGEST_STENCIL)
         .find(|&n| !rules.iter().fold(0..n as i64, |old, rule| rule.produced(&old)).is_empty());
-    let message = format!("{count} points are too few for the stencils of the scheme");
+    let message = format!("too few points for the stencils of the scheme: {count}");
     let hint = match enough {
         Some(n) => format!("give {n} or more, close the polygon, or continue it beyond its ends"),
         None => "close the polygon, or continue it beyond its ends".to_string(),

@@ -57,7 +57,7 @@ pub fn refine_to<T: Coordinate>(
     let start = cascades.iter().map(|c| c.last().start).max().unwrap_or(0);
     let end = cascades.iter().map(|c| c.last().end).min().unwrap_or(0);
     if start >= end && !cascades.is_empty() {
-        let message = format!("{} points are too few for the stencils", polygon.count());
+        let message = format!("too few points for the stencils of the scheme: {}", polygon.count());
         let hint = "give more, close the polygon, or continue it beyond its ends";
         return Err(Diagnostic::new("points", message).with_hint(hint));
     }

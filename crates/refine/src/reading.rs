@@ -229,6 +229,7 @@ mod tests {
             "# a comment\n\n0\t0  # the first\n# another\n1\t25e-1\n\n\n",
             "[[0, 0], [1, 2.5]]",
             "{\"points\": [[0, 0], [\"1\", \"5/2\"]]}",
+            "[[0.0, 0e5], [1.0, 2.5]]",
         ] {
             assert_eq!(floats(text).unwrap(), expected, "{text:?}");
         }
@@ -240,6 +241,13 @@ mod tests {
         let exact = PointTable::<Rational>::parse("0.1, 1/3\n1e2, -1.5E-1").unwrap();
         let numbers = [(1, 10), (1, 3), (100, 1), (-3, 20)].map(|(p, q)| rational(p, q));
         assert_eq!(exact.values, numbers);
+        // The last digit counts, in each notation.
+        for text in ["9.476348876953125", "0.1", "5e-324", "1.7976931348623157e308"] {
+            let value: f64 = text.parse().unwrap();
+            for text in [text.to_string(), format!("[[{text}]]")] {
+                assert_eq!(floats(&text).unwrap().values, [value], "{text}");
+            }
+        }
     }
 
     #[test]

@@ -344,7 +344,7 @@ fn what_cannot_be_refined_says_so() {
     let (kind, message, hint) = code(refine(&line(3, false), &[&rule], Ends::Trim));
     assert_eq!(
         (kind, &message[..]),
-        ("points", "3 points are too few for the stencils of the scheme")
+        ("points", "too few points for the stencils of the scheme: 3")
     );
     assert!(hint.starts_with("give 5 or more"), "{hint}");
     assert_eq!(refine(&line(5, false), &[&rule], Ends::Trim).unwrap().count(), 1);

@@ -40,6 +40,8 @@ impl Basis {
             let hint = format!("{MOST_LEVELS} levels are the most");
             return Err(Diagnostic::new("levels", "the grid is too fine").with_hint(hint));
         }
+        // Parameters that are free are told before any search.
+        let limit = BasicLimit::new(scheme.mask())?;
         let found = regularity(scheme.name(), scheme.mask(), &Options::default())?.continuity;
         let Some(continuity) = found else {
             let message = format!("{} is not proved to converge", scheme.name());
@@ -52,7 +54,6 @@ impl Basis {
             let hint = format!("it is C^{continuity}: ask for derivatives up to that order");
             return Err(Diagnostic::new("smoothness", message).with_hint(hint));
         }
-        let limit = BasicLimit::new(scheme.mask())?;
         let (places, values) = table(scheme, &limit, levels, order)?;
         let support = limit.support();
         Ok(Basis { scheme: scheme.clone(), support, continuity, levels, places, values })
@@ -113,6 +114,15 @@ impl Basis {
                 width: 1.8,
                 dashed: false,
             });
+            let values = || self.values[order].iter();
+            let ends = [values().max(), values().min()].into_iter().flatten();
+            shapes.extend(ends.filter(|y| !y.is_zero()).map(|y| Shape::Label {
+                at: [float(&self.support[0]), float(y)],
+                offset: [0.0, 4.0],
+                angle: 0.0,
+                anchor: "start",
+                text: decimal(y, 4),
+            }));
             let caption = match order {
                 0 => "φ, and the polygons of levels 0 to 3".to_string(),
                 _ => format!("φ{}", "′".repeat(order)),

@@ -71,7 +71,7 @@ impl Shape {
             Shape::Face { corners, fill } => {
                 let at = corners.iter().map(|p| frame.at(*p));
                 let at: Vec<String> = at.map(|[x, y]| format!("{x:.1} {y:.1}")).collect();
-                writeln!(svg, "<path color=\"{fill}\" d=\"M{}z\"/>", at.join("L"))
+                writeln!(svg, "<path fill=\"{fill}\" stroke=\"{fill}\" d=\"M{}z\"/>", at.join("L"))
             }
             Shape::Arrow { from, to, color, dashed } => {
                 let ([a, b], [x, y]) = (frame.at(*from), frame.at(*to));
@@ -183,7 +183,7 @@ pub(crate) fn sheet(title: &str, panels: &[Panel], columns: usize, size: Place) 
         let corner = [cell[0] * (k % columns) as f64, HEAD + cell[1] * (k / columns) as f64];
         let frame = Frame::new(panel, corner, size);
         // A hair's breadth of its own colour closes the seam from a face to the next.
-        svg.push_str("<g fill=\"currentColor\" stroke=\"currentColor\" stroke-width=\"0.4\">\n");
+        svg.push_str("<g stroke-width=\"0.4\">\n");
         let (faces, others): (Vec<_>, Vec<_>) =
             panel.shapes.iter().partition(|shape| matches!(shape, Shape::Face { .. }));
         faces.iter().for_each(|shape| shape.draw(&mut svg, &frame));

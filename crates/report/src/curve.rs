@@ -23,6 +23,8 @@ pub struct Curve<T> {
     abscissae: Option<Polygon<T>>,
     /// Ends of the teeth of a curvature comb.
     comb: Option<Vec<Place>>,
+    /// Numbers of control points that are drawn in another colour.
+    marked: Vec<usize>,
 }
 
 /// How a curve is made.
@@ -66,13 +68,30 @@ impl<T: Coordinate> Curve<T> {
             is_limit: options.limit,
             abscissae,
             comb: None,
+            marked: Vec::new(),
         })
     }
 
     /// A curve whose points are made in another way, by a scheme of this name.
-    pub fn of_points(name: &str, control: Polygon<T>, points: Polygon<T>, levels: u32) -> Self {
+    /// The control points with the numbers of `marked` are drawn in another colour.
+    pub fn of_points(
+        name: &str,
+        control: Polygon<T>,
+        points: Polygon<T>,
+        levels: u32,
+        marked: Vec<usize>,
+    ) -> Self {
         let scheme = name.to_string();
-        Curve { scheme, levels, control, points, is_limit: false, abscissae: None, comb: None }
+        Curve {
+            scheme,
+            levels,
+            control,
+            points,
+            is_limit: false,
+            abscissae: None,
+            comb: None,
+            marked,
+        }
     }
 
     /// The points.
@@ -92,7 +111,7 @@ impl<T: Coordinate> Curve<T> {
         let grid = Grid {
             id: "curve".into(),
             caption: format!(
-                "{} {what} after {} levels of {}",
+                "{} {what} at level {} of {}",
                 self.points.count(),
                 self.levels,
                 self.scheme
@@ -191,6 +210,7 @@ impl Curve<f64> {
             (_, None) => (places(&self.control)?, places(&self.points)?),
         };
         let closed = self.control.is_closed();
+        let marked: Vec<Place> = self.marked.iter().map(|&i| control[i]).collect();
         let mut shapes = vec![
             Shape::line(control.clone(), closed, RED),
             Shape::Dots { points: control, color: RED, radius: 3.0 },
@@ -207,6 +227,7 @@ impl Curve<f64> {
             shapes.push(Shape::line(tips.clone(), closed, BLUE));
         }
         shapes.push(Shape::line(curve, closed, BLACK));
+        shapes.push(Shape::Dots { points: marked, color: BLUE, radius: 3.5 });
         Ok(shapes)
     }
 }

@@ -40,15 +40,22 @@ impl Assignment {
         interpolating: Member,
         approximating: Member,
     ) -> Result<Self, Diagnostic> {
-        if let Some(beyond) = interpolated.iter().find(|i| **i >= count) {
-            let message = format!("there is no control point {beyond}");
-            let hint = format!("they are numbered from 0 to {}", count - 1);
-            return Err(Diagnostic::new("tensions", message).with_hint(hint));
-        }
+        Assignment::expect_points(count, interpolated)?;
         let vertices: Vec<usize> =
             (0..count).map(|i| usize::from(interpolated.contains(&i))).collect();
         let members = vec![approximating, interpolating];
         Ok(Assignment { members, edges: vertices.clone(), vertices, approximating: 0 })
+    }
+
+    /// Whether there are control points of these numbers.
+    ///
+    /// # Errors
+    /// Code `tensions` if one is missing.
+    pub fn expect_points(count: usize, numbers: &[usize]) -> Result<(), Diagnostic> {
+        let Some(beyond) = numbers.iter().find(|i| **i >= count) else { return Ok(()) };
+        let message = format!("there is no control point {beyond}");
+        let hint = format!("they are numbered from 0 to {}", count - 1);
+        Err(Diagnostic::new("tensions", message).with_hint(hint))
     }
 
     /// A member for each vertex and for the edge after each; new points take `approximating`, or, if it is
@@ -302,6 +309,7 @@ pub fn assignment_document(
         remarks: vec![
             format!("new points take {}", new_points.join(", ")),
             "interpolated points are kept exactly, on every level".into(),
+            "the edge after a point takes its tensions: the order of the points matters".into(),
         ],
     };
     let json = json!({

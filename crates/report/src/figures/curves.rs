@@ -101,8 +101,9 @@ fn three_schemes(
         for (values, (color, word)) in members.iter().zip(colors) {
             let curve = Curve::new(&member(scheme, values)?, models::letter(), OPTIONS)?;
             if shapes.is_empty() {
+                // The control polygon with its points, without the curve.
                 shapes = curve.shapes()?;
-                shapes.pop();
+                shapes.truncate(2);
             }
             shapes.push(Shape::line(places(curve.points())?, true, color));
             caption.push(format!("{word}: {}", tensions(scheme, values)));

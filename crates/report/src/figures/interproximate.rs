@@ -162,10 +162,8 @@ fn curves(
             setting.interpolated.iter().copied().filter(|i| *i < points.len()).collect();
         let assignment = assignment(setting, points.len(), &tagged)?;
         let refined = assignment.refine(&family, &control, LEVELS, Ends::Trim)?;
-        let mut shapes = Curve::of_points("", control.clone(), refined, LEVELS).shapes()?;
-        let all = places(&control)?;
-        let tagged: Vec<[f64; 2]> = tagged.iter().map(|&i| all[i]).collect();
-        shapes.push(Shape::Dots { points: tagged, color: BLUE, radius: 3.5 });
+        let curve = Curve::of_points("", control.clone(), refined, LEVELS, tagged);
+        let shapes = curve.shapes()?;
         panels.push(Panel { caption: captions(setting), shapes, stretched: false });
     }
     let title = format!("Interproximate curves of {}", family.name());
