@@ -1,6 +1,6 @@
 //! Matrices over a ring, with the two exact algorithms that need no field.
 
-use crate::number::Rational;
+use crate::number::{Integer, Rational, clear_denominators, integer};
 use crate::polynomial::Polynomial;
 use crate::ring::{Domain, Ring};
 
@@ -164,40 +164,47 @@ impl Matrix<Rational> {
     /// A basis of the vectors `v` with `self · v = 0`, one for each column without a pivot.
     ///
     /// # Cost
-    /// `O(n³)` operations in Q, by Gauss and Jordan.
+    /// `O(n³)` operations on integers, all of which are minors.
+    ///
+    /// # Source
+    /// Gauss and Jordan, without fractions, after Bareiss (see [`determinant`](Self::determinant)).
     pub fn null_space(&self) -> Vec<Vec<Rational>> {
-        let mut m = self.clone();
-        let mut pivots = Vec::new();
+        let rows = self.entries.chunks(self.columns.max(1));
+        let entries = rows.flat_map(|row| clear_denominators(row.iter()).1).collect();
+        let mut m = Matrix { rows: self.rows, columns: self.columns, entries };
+        let (mut pivots, mut previous) = (Vec::new(), integer(1));
         for column in 0..m.columns {
             let row = pivots.len();
             let Some(at) = (row..m.rows).find(|&i| !m.entry(i, column).is_zero()) else { continue };
             m.swap_rows(at, row);
-            m.clear_column(row, column);
+            m.clear_column(row, column, &previous);
+            previous = m.entry(row, column).clone();
             pivots.push(column);
         }
+        // All pivots are the last one.
         let free = (0..m.columns).filter(|column| !pivots.contains(column));
         free.map(|column| {
             let mut vector = vec![Rational::zero(); m.columns];
             vector[column] = Rational::one();
             for (row, &pivot) in pivots.iter().enumerate() {
-                vector[pivot] = m.entry(row, column).negated();
+                vector[pivot] = Rational::new(m.entry(row, column).negated(), previous.clone());
             }
             vector
         })
         .collect()
     }
+}
 
-    /// Makes the entry at `(row, column)`, which is not zero, 1, and the rest of its column 0.
-    fn clear_column(&mut self, row: usize, column: usize) {
+impl Matrix<Integer> {
+    /// Makes all entries of a column but that of `row` zero; the divisions by the pivot before are exact.
+    fn clear_column(&mut self, row: usize, column: usize, previous: &Integer) {
         let pivot = self.entry(row, column).clone();
-        for j in column..self.columns {
-            self.entries[row * self.columns + j] /= &pivot;
-        }
         for i in (0..self.rows).filter(|&i| i != row) {
-            let factor = self.entry(i, column).negated();
-            for j in (column..self.columns).filter(|_| !factor.is_zero()) {
-                let product = self.entry(row, j).times(&factor);
-                self.entries[i * self.columns + j] += product;
+            let factor = self.entry(i, column).clone();
+            for j in 0..self.columns {
+                let minor =
+                    self.entry(i, j).times(&pivot).minus(&self.entry(row, j).times(&factor));
+                self.entries[i * self.columns + j] = minor.quotient(previous);
             }
         }
     }
@@ -206,7 +213,7 @@ impl Matrix<Rational> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::{Integer, integer, rational};
+    use crate::number::rational;
 
     #[test]
     fn a_companion_matrix_has_its_polynomial() {

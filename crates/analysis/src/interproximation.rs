@@ -6,7 +6,8 @@
 //! `v`, its edge rule on the edge after `v`, and the approximating member's rules elsewhere. If both members
 //! reproduce polynomials of degree `d`, then `Δ^(d+1) S = T Δ^(d+1)` for a smaller matrix `T`, and on the rings
 //! `2^-k ≤ |x - v| ≤ 2^(1-k)` the limit differs from a polynomial by what `T^k` makes of the differences: it
-//! is of Hölder exponent `min(r, -log2 ρ(T))` at `v`, `r` that of the approximating member.
+//! is of Hölder exponent at least `min(r, -log2 ρ(T))` at `v`, `r` that of the approximating member; more where an
+//! eigenvector of `T` belongs to a smooth function, as for splines.
 
 use refinable_algebra::{
     Matrix, Ordered, Parameter, ParameterFraction, ParameterPolynomial, Rational, Ring, binomial,
@@ -40,8 +41,8 @@ pub struct TensionChoice {
     pub regularity: Regularity,
     /// The parameters of the interpolating member: its vertex rule keeps the old points.
     pub interpolating: Vec<Rational>,
-    /// A lower bound for `-log2 ρ(T)`, proved: the exponent of the limit at interpolated vertices is the smaller
-    /// of the two.
+    /// A lower bound for `-log2 ρ(T)`, proved: the exponent of the limit at interpolated vertices is at least the
+    /// smaller of the two.
     pub at_vertices: Rational,
 }
 
@@ -218,8 +219,7 @@ mod tests {
         assert!(rational(19, 10) < found && found <= rational(2, 1), "{found}");
     }
 
-    /// Of the members that keep old points, that of Deslauriers and Dubuc goes best with the quintic spline; the
-    /// eigenvalues of its matrix are roots of a polynomial that floats can solve.
+    /// Of the members that keep old points, that of Deslauriers and Dubuc goes best with the quintic spline.
     #[test]
     fn tensions_of_a3() {
         let family = Scheme::resolve("a3", 2).unwrap();

@@ -43,14 +43,18 @@ impl<'a, T: Coordinate> Cascade<'a, T> {
         closed: bool,
         ends: Ends,
     ) -> Result<Self, Diagnostic> {
-        let mut factors = rules.iter().map(|rule| rule.arity() as u64);
-        let total = factors.try_fold(count as u64, u64::checked_mul);
-        if total.is_none_or(|n| n > LARGEST_COUNT) {
+        // No index on any level is larger than this: it moves on by what stencils reach, level by level.
+        let reach = rules.iter().map(|rule| rule.reach()).max().unwrap_or(0);
+        let factor = |rule: &&Weights<T>| u128::from(rule.arity() as u64);
+        let total = |count: u128| rules.iter().map(factor).try_fold(count, u128::checked_mul);
+        let largest = total(count as u128 + 2 * u128::from(reach) + 2);
+        if largest.is_none_or(|n| n > LARGEST_INDEX) {
             let message = format!("{} levels make more points than can be counted", rules.len());
             return Err(Diagnostic::new("levels", message).with_hint("ask for fewer levels"));
         }
+        let total = total(count as u128).unwrap_or_default();
         let last = if closed {
-            0..total.unwrap_or_default() as i64
+            0..total as i64
         } else if ends == Ends::Trim {
             rules.iter().fold(0..count as i64, |old, rule| rule.produced(&old))
         } else {
@@ -177,8 +181,8 @@ fn copy<T: Coordinate>(old: View<'_, T>, range: &Range<i64>, width: usize, out: 
     }
 }
 
-/// More points cannot be told apart by an index, with room to spare.
-const LARGEST_COUNT: u64 = 1 << 48;
+/// Indices are not larger, with room for sums and products of a few of them.
+const LARGEST_INDEX: u128 = 1 << 56;
 
 /// The points of the last level that stand from the first to the last control point.
 fn between_ends<T: Coordinate>(rules: &[&Weights<T>], count: usize) -> Range<i64> {
@@ -189,8 +193,11 @@ fn between_ends<T: Coordinate>(rules: &[&Weights<T>], count: usize) -> Range<i64
         ends = ends.map(|t| t * &m + rule.shift());
     }
     let [first, last] = [ends[0].ceil(), ends[1].floor()].map(|t| i64::try_from(t.to_integer()));
-    // Counts are below 2^48, and shifts are not much longer than a mask.
-    first.unwrap_or(0)..last.unwrap_or(-1) + 1
+    // Coefficients may be large, and then points stand anywhere: none of them between the ends.
+    match (first, last) {
+        (Ok(first), Ok(last)) if first.abs().max(last.abs()) < 1 << 60 => first..last + 1,
+        _ => 0..0,
+    }
 }
 
 fn too_few<T: Coordinate>(rules: &[&Weights<T>], count: usize) -> Diagnostic {
@@ -199,7 +206,9 @@ fn too_few<T: Coordinate>(rules: &[&Weights<T>], count: usize) -> Diagnostic {
     let message = format!("too few points for the stencils of the scheme: {count}");
     let hint = match enough {
         Some(n) => format!("give {n} or more, close the polygon, or continue it beyond its ends"),
-        None => "close the polygon, or continue it beyond its ends".to_string(),
+        None => {
+            "close the polygon, or take a scheme whose points stand among the old ones".to_string()
+        }
     };
     Diagnostic::new("points", message).with_hint(hint)
 }

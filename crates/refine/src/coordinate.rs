@@ -18,7 +18,7 @@ pub trait Coordinate: Clone + PartialEq + Debug + Send + Sync + 'static {
     fn product(weight: &Self, x: &Self) -> Self;
     /// `self += weight · x`.
     fn add_product(&mut self, weight: &Self, x: &Self);
-    /// Reads `7`, `-0.05`, `1/3` or `2.5e-3`; `None` for anything else, infinities included.
+    /// Reads `7`, `-0.05`, `.5`, `1.`, `+1/3` or `2.5e-3`; `None` for anything else, infinities included.
     fn parse(text: &str) -> Option<Self>;
     /// As text that [`parse`](Self::parse) reads back without a loss.
     fn text(&self) -> String;
@@ -35,7 +35,7 @@ impl Coordinate for f64 {
     }
 
     fn from_rational(x: &Rational) -> Self {
-        // Twenty digits decide the nearest float but for ties that no mask has.
+        // By twenty digits: the nearest float, or, for a number beside the middle of two, the other one.
         decimal(x, 20).parse().unwrap_or(0.0)
     }
 
@@ -48,11 +48,13 @@ impl Coordinate for f64 {
     }
 
     fn parse(text: &str) -> Option<Self> {
-        let is_decimal = |c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.' | 'e' | 'E');
-        if text.chars().all(is_decimal) {
-            return text.parse().ok().filter(|x: &f64| x.is_finite());
+        if text.contains('/') {
+            let exact = parse_rational(unsigned_plus(text)?)?;
+            return Some(f64::from_rational(&exact)).filter(|x| x.is_finite());
         }
-        parse_rational(text).map(|x| f64::from_rational(&x)).filter(|x| x.is_finite())
+        let is_decimal = |c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.' | 'e' | 'E');
+        let decimal = text.chars().all(is_decimal).then_some(text)?;
+        decimal.parse().ok().filter(|x: &f64| x.is_finite())
     }
 
     fn text(&self) -> String {
@@ -88,14 +90,14 @@ impl Coordinate for Rational {
     }
 
     fn parse(text: &str) -> Option<Self> {
-        let text = text.strip_prefix('+').unwrap_or(text);
+        let text = unsigned_plus(text)?;
         let Some((mantissa, exponent)) = text.split_once(['e', 'E']) else {
-            return parse_rational(text);
+            return parse_decimal(text);
         };
         let exponent: i32 = exponent.parse().ok().filter(|e: &i32| e.abs() <= LARGEST_EXPONENT)?;
-        let ten = rational(if mantissa.contains('/') { return None } else { 10 }, 1);
-        let power = ten.power(exponent.unsigned_abs());
-        parse_rational(mantissa).map(|x| if exponent < 0 { x / power } else { x * power })
+        let mantissa = parse_decimal(mantissa).filter(|_| !mantissa.contains('/'))?;
+        let power = rational(10, 1).power(exponent.unsigned_abs());
+        Some(if exponent < 0 { mantissa / power } else { mantissa * power })
     }
 
     fn text(&self) -> String {
@@ -105,5 +107,47 @@ impl Coordinate for Rational {
     fn bytes(steps: u32, bits: u64) -> u64 {
         // Two big integers, a numerator and a denominator of some words more each step.
         64 + 2 * (u64::from(steps) * bits).div_ceil(8)
+    }
+}
+
+/// The text without a plus before it; `None` for two signs.
+fn unsigned_plus(text: &str) -> Option<&str> {
+    match text.strip_prefix('+') {
+        Some(rest) => (!rest.starts_with(['+', '-'])).then_some(rest),
+        None => Some(text),
+    }
+}
+
+/// Decimals may begin or end with their point.
+fn parse_decimal(text: &str) -> Option<Rational> {
+    let (sign, digits) = text.strip_prefix('-').map_or(("", text), |digits| ("-", digits));
+    if digits == "." {
+        return None;
+    }
+    let before = if digits.starts_with('.') { "0" } else { "" };
+    let after = if digits.ends_with('.') { "0" } else { "" };
+    parse_rational(&format!("{sign}{before}{digits}{after}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn both_kinds_of_numbers_read_the_same_texts() {
+        for text in
+            ["7", "-0.05", ".5", "-.5", "1.", "+1/3", "-1/4", "2.5e-3", "1e+2", "+2", "00.10"]
+        {
+            let exact = Rational::parse(text).unwrap_or_else(|| panic!("{text}"));
+            let float = f64::parse(text).unwrap_or_else(|| panic!("{text}"));
+            assert_eq!(f64::from_rational(&exact), float, "{text}");
+        }
+        for text in [
+            "", ".", "-", "+", "+-5", "--5", "1e", "e5", "1/0", "1/2e3", "nan", "inf", "0x1",
+            "1_0", "1 2",
+        ] {
+            assert_eq!(Rational::parse(text), None, "{text}");
+            assert_eq!(f64::parse(text), None, "{text}");
+        }
     }
 }

@@ -71,7 +71,7 @@ fn cascade<'a, T: Coordinate>(
     ends: Ends,
 ) -> Result<Cascade<'a, T>, Diagnostic> {
     let cascade = Cascade::new(rules.to_vec(), polygon.count(), polygon.is_closed(), ends)?;
-    memory::check(rules, cascade.count() as u64 * polygon.dimension() as u64)?;
+    memory::check(rules, (cascade.count() as u64).saturating_mul(polygon.dimension() as u64))?;
     Ok(cascade)
 }
 

@@ -74,7 +74,7 @@ impl Ends {
             Ends::Trim => unreachable!("a trimmed polygon is asked for none of these"),
             Ends::Reflect => reflected(index, n),
             Ends::Extrapolate { degree } => {
-                let degree = (n - 1).min(degree as i64);
+                let degree = degree.min(n as usize - 1) as i64;
                 let weight = |j| lagrange(j, degree, -beyond);
                 (0..=degree).map(|j| (from_end(j) as usize, weight(j))).collect()
             }

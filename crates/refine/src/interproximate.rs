@@ -80,7 +80,7 @@ impl<T: Coordinate> Interproximate<T> {
         let class = |class: usize| {
             let stencils = || members.iter().map(move |member| &member.stencils()[class]);
             let first = stencils().map(Stencil::first).min().unwrap_or(0);
-            let end = stencils().map(|s| s.first() + s.weights().len() as i64).max().unwrap_or(0);
+            let end = stencils().map(Stencil::end).max().unwrap_or(0);
             Stencil { first, weights: vec![Rational::one(); (end - first) as usize] }
         };
         let stencils = (0..member.arity()).map(class).collect();
@@ -114,7 +114,7 @@ impl<T: Coordinate> Interproximate<T> {
         let closed = polygon.is_closed();
         let rules = self.hull.repeated(levels)?;
         let cascade = Cascade::new(rules.clone(), count, closed, ends)?;
-        memory::check(&rules, 2 * cascade.count() as u64 * width as u64)?;
+        memory::check(&rules, (cascade.count() as u64).saturating_mul(2 * width as u64))?;
         let ranges = cascade.ranges(cascade.last());
         let tags = tensions.vertices.iter().zip(&tensions.edges);
         let tags: Vec<Tag> =
@@ -125,7 +125,7 @@ impl<T: Coordinate> Interproximate<T> {
             tags: self.extended(&tags, ALONG, closed, ends, &ranges[0]),
         };
         for range in &ranges[1..] {
-            line = self.step(&line, ALONG, range, width);
+            line = self.step(&line, ALONG, true, range, width);
         }
         Polygon::new(width, line.values, closed)
     }
@@ -147,15 +147,15 @@ impl<T: Coordinate> Interproximate<T> {
         let rules = self.hull.repeated(levels)?;
         let cascade = |d: usize| Cascade::new(rules.clone(), counts[d], closed[d], ends[d]);
         let cascades = [cascade(ACROSS)?, cascade(ALONG)?];
-        let points = cascades[0].count() as u64 * cascades[1].count() as u64;
+        let points = (cascades[0].count() as u64).saturating_mul(cascades[1].count() as u64);
         let width = net.dimension();
-        memory::check(&rules, 2 * points * width as u64)?;
+        memory::check(&rules, points.saturating_mul(2 * width as u64))?;
         let [rows, columns] = cascades.each_ref().map(|cascade| cascade.ranges(cascade.last()));
         let mut lines = self.control_lines(net, members, ends, [&rows[0], &columns[0]]);
         for (old_rows, (rows, columns)) in rows.iter().zip(rows[1..].iter().zip(&columns[1..])) {
-            let along = lines.iter().map(|line| self.step(line, ALONG, columns, width));
+            let along = lines.iter().map(|line| self.step(line, ALONG, false, columns, width));
             let turned = transposed(&along.collect::<Vec<_>>(), old_rows.start, width);
-            let across = turned.iter().map(|line| self.step(line, ACROSS, rows, width));
+            let across = turned.iter().map(|line| self.step(line, ACROSS, true, rows, width));
             lines = transposed(&across.collect::<Vec<_>>(), columns.start, width);
         }
         let values = lines.into_iter().flat_map(|line| line.values).collect();
@@ -172,8 +172,16 @@ impl<T: Coordinate> Interproximate<T> {
         Ok(())
     }
 
-    /// One step in a direction: each new point by the stencil of the vertex or the edge it stems from.
-    fn step(&self, old: &Line<T>, direction: usize, new: &Range<i64>, width: usize) -> Line<T> {
+    /// One step in a direction: each new point by the stencil of the vertex or the edge it stems from. Old points
+    /// take other members when the level ends: in a net they are refined in both directions before.
+    fn step(
+        &self,
+        old: &Line<T>,
+        direction: usize,
+        ends_level: bool,
+        new: &Range<i64>,
+        width: usize,
+    ) -> Line<T> {
         let m = self.hull.arity() as i64;
         let count = (new.end - new.start) as usize;
         let mut values = vec![T::origin(); count * width];
@@ -186,7 +194,7 @@ impl<T: Coordinate> Interproximate<T> {
             let first = parent + stencil.first - old.first;
             let row = |k: i64| &old.values[(first + k) as usize * width..][..width];
             combine(&stencil.weights, row, point);
-            let kept = class == 0 && self.keeps(tag.vertex);
+            let kept = class == 0 && (!ends_level || self.keeps(tag.vertex));
             tags.push(if kept { tag } else { Tag::of(self.approximating) });
         }
         Line { first: new.start, values, tags }

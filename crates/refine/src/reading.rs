@@ -25,6 +25,8 @@ pub struct PointTable<T> {
     pub rows: Vec<usize>,
 }
 
+/// Digits that a float keeps.
+const SURE_DIGITS: usize = 15;
 /// Letters of a text that an error shows.
 const SHOWN: usize = 24;
 
@@ -190,12 +192,22 @@ fn read_row<T: Coordinate>(
     for (k, point) in points.iter().enumerate() {
         let place = || format!("{prefix}point {}", k + 1);
         let list = point.as_array().ok_or_else(no_list)?;
+        if list.is_empty() {
+            return Err(no_number("", &place()));
+        }
         check_count(list.len(), &place)?;
         let number = |value: &Value| {
             let text = match value {
                 Value::String(text) => text.clone(),
                 other => other.to_string(),
             };
+            // What has more digits than a float has lost some already.
+            let digits = text.chars().filter(char::is_ascii_digit).count();
+            if T::EXACT && value.is_f64() && digits > SURE_DIGITS {
+                let message = format!("{}: a number has too many digits", place());
+                let hint = "where every digit counts write it as text, \"0.12345678901234567890\"";
+                return Err(Diagnostic::new("points", message).with_hint(hint));
+            }
             T::parse(text.trim()).ok_or_else(|| no_number(&text, &place()))
         };
         let point: Vec<T> = list.iter().map(number).collect::<Result<_, _>>()?;
@@ -271,6 +283,7 @@ mod tests {
                 "line 2: `abcdefghijklmnopqrstuvwx…` is no number",
             ),
             ("[[1, 2], [3]]", "point 2: 1 numbers, but 2 before"),
+            ("[[], [1, 2]]", "point 1: a number is missing"),
             ("[[1, null]]", "point 1: `null` is no number"),
             ("[[[1, 2]], [3]]", "the JSON is no list of points"),
             ("[[1, 2", "line 1, column 6: this is no JSON"),

@@ -44,8 +44,9 @@ impl<'a, T: Coordinate> Surface<'a, T> {
         let along = cascade(ALONG, net.columns())?;
         let across = cascade(ACROSS, net.rows())?;
         let rows = across.control();
+        let values = (along.count() as u64).saturating_mul((rows.end - rows.start) as u64);
+        memory::check(rules[ALONG], values.saturating_mul(dimension as u64))?;
         let width = along.count() * dimension;
-        memory::check(rules[ALONG], (rows.end - rows.start) as u64 * width as u64)?;
         let refined = net.values().par_chunks(net.columns() * dimension).map(|row| {
             let needed = along.control();
             let control = ends[ALONG].extend(row, dimension, closed[ALONG], &needed);
@@ -102,7 +103,7 @@ impl<'a, T: Coordinate> Surface<'a, T> {
     /// Code `memory` if it is too large.
     pub fn net(&self) -> Result<Net<T>, Diagnostic> {
         let width = self.columns * self.dimension;
-        memory::check(self.across.rules(), self.rows() as u64 * width as u64)?;
+        memory::check(self.across.rules(), (self.rows() as u64).saturating_mul(width as u64))?;
         let values = self.across.descend(&self.control, width);
         Net::new(self.dimension, self.columns, values, self.closed)
     }

@@ -29,7 +29,7 @@ impl<T> Stencil<T> {
     }
 
     /// One more than the offset of the last weight.
-    fn end(&self) -> i64 {
+    pub(crate) fn end(&self) -> i64 {
         self.first + self.weights.len() as i64
     }
 }
@@ -107,6 +107,13 @@ impl<T: Coordinate> Weights<T> {
             return Err(Diagnostic::new("levels", message).with_hint("ask for fewer levels"));
         }
         Ok(vec![self; levels as usize])
+    }
+
+    /// How far the stencils reach, from the point `i` whose descendants they make.
+    pub(crate) fn reach(&self) -> u64 {
+        let ends =
+            self.stencils.iter().flat_map(|s| [s.first.unsigned_abs(), s.end().unsigned_abs()]);
+        ends.max().unwrap_or(0)
     }
 
     /// The old points that some new ones are made of.

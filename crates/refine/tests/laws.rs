@@ -363,3 +363,122 @@ fn what_cannot_be_refined_says_so() {
     let family = Weights::<f64>::new(&mask("a4", 2)).unwrap_err();
     assert_eq!(family.hint(), Some("set them: --set alpha=VALUE"));
 }
+
+/// An interproximate scheme by its definition: every point of every level on its own.
+struct Definition {
+    /// Members; 0 is the approximating one.
+    members: Vec<Weights<Rational>>,
+    vertices: Vec<usize>,
+    edges: Vec<usize>,
+    points: Vec<Rational>,
+}
+
+impl Definition {
+    fn keeps(&self, member: usize) -> bool {
+        let vertex = &self.members[member].stencils()[0];
+        (vertex.first(), vertex.weights()) == (0, &[rational(1, 1)][..])
+    }
+
+    /// The members of a vertex and of the edge after it.
+    fn tensions(&self, level: u32, i: i64) -> (usize, usize) {
+        if level == 0 {
+            let i = i.rem_euclid(self.points.len() as i64) as usize;
+            return (self.vertices[i], self.edges[i]);
+        }
+        let parent = self.tensions(level - 1, i.div_euclid(2));
+        if i.rem_euclid(2) == 0 && self.keeps(parent.0) { parent } else { (0, 0) }
+    }
+
+    fn point(&self, level: u32, i: i64) -> Rational {
+        if level == 0 {
+            return self.points[i.rem_euclid(self.points.len() as i64) as usize].clone();
+        }
+        let (parent, class) = (i.div_euclid(2), i.rem_euclid(2) as usize);
+        let (vertex, edge) = self.tensions(level - 1, parent);
+        let stencil = &self.members[if class == 0 { vertex } else { edge }].stencils()[class];
+        let terms = (parent + stencil.first()..).zip(stencil.weights());
+        terms.map(|(j, w)| w * self.point(level - 1, j)).sum()
+    }
+}
+
+fn members_of_a3() -> Vec<Weights<Rational>> {
+    let family = Scheme::resolve("a3", 2).unwrap();
+    let member = |set: [&str; 2]| {
+        let sets = set.map(|s| Substitution::parse(s).unwrap());
+        Weights::new(family.with(&sets).unwrap().mask()).unwrap()
+    };
+    [
+        ["alpha=1/8", "beta=1/50"],
+        ["alpha=0", "beta=-1/20"],
+        ["alpha=0", "beta=1/30"],
+        ["alpha=1/5", "beta=0"],
+    ]
+    .map(member)
+    .to_vec()
+}
+
+/// Vertices and edges that take different members, kept and not, over several levels.
+#[test]
+fn interproximate_refinement_is_its_definition() {
+    let definition = Definition {
+        members: members_of_a3(),
+        vertices: vec![1, 0, 2, 3, 1, 0, 0],
+        edges: vec![2, 3, 1, 1, 0, 2, 0],
+        points: [3, -1, 4, 1, -5, 9, 2].map(|x| rational(x, 1)).to_vec(),
+    };
+    let scheme = Interproximate::new(definition.members.clone(), 0).unwrap();
+    let tensions =
+        Tensions { vertices: definition.vertices.clone(), edges: definition.edges.clone() };
+    let polygon = Polygon::new(1, definition.points.clone(), true).unwrap();
+    for level in 0..4 {
+        let expected: Vec<Rational> = (0..7 << level).map(|i| definition.point(level, i)).collect();
+        let found = scheme.refine(&polygon, &tensions, level, Ends::Trim).unwrap();
+        assert_eq!(found.values(), expected, "level {level}");
+    }
+}
+
+/// Nets by their definition: each row with the members of its points, then each column with those of the points of
+/// the refined rows, of which new ones are approximating; after both, so is all that is not kept.
+#[test]
+fn interproximate_nets_are_their_definition() {
+    let members = members_of_a3();
+    let scheme = Interproximate::new(members.clone(), 0).unwrap();
+    let (rows, columns) = (5, 7);
+    let mut values: Vec<Vec<Rational>> = (0..rows as i64)
+        .map(|i| (0..columns as i64).map(|j| rational((i * i * 5 + j * 3) % 11, 2)).collect())
+        .collect();
+    let mut tags: Vec<Vec<usize>> =
+        (0..rows).map(|i| (0..columns).map(|j| (i * 3 + j * j) % 4).collect()).collect();
+    let net = Net::new(1, columns, values.concat(), [true, true]).unwrap();
+    let given = tags.concat();
+    // A line of points and members, once refined.
+    let refined = |values: &[Rational], tags: &[usize]| -> Vec<Rational> {
+        let n = values.len() as i64;
+        let point = |i: i64| {
+            let (parent, class) = (i / 2, (i % 2) as usize);
+            let stencil = &members[tags[parent as usize]].stencils()[class];
+            let terms = (parent + stencil.first()..).zip(stencil.weights());
+            terms.map(|(j, w)| w * &values[j.rem_euclid(n) as usize]).sum()
+        };
+        (0..2 * n).map(point).collect()
+    };
+    let spread = |tags: &[usize]| -> Vec<usize> { tags.iter().flat_map(|&tag| [tag, 0]).collect() };
+    fn turned<T: Clone>(lines: &[Vec<T>]) -> Vec<Vec<T>> {
+        (0..lines[0].len()).map(|j| lines.iter().map(|line| line[j].clone()).collect()).collect()
+    }
+    for level in 0..4 {
+        let found = scheme.refine_net(&net, &given, level, [Ends::Trim; 2]).unwrap();
+        assert_eq!((found.rows(), found.columns()), (rows << level, columns << level));
+        assert_eq!(found.values(), values.concat(), "level {level}");
+        let along: Vec<_> = values.iter().zip(&tags).map(|(v, t)| refined(v, t)).collect();
+        let along_tags: Vec<_> = tags.iter().map(|t| spread(t)).collect();
+        let (lines, line_tags) = (turned(&along), turned(&along_tags));
+        let across: Vec<_> = lines.iter().zip(&line_tags).map(|(v, t)| refined(v, t)).collect();
+        values = turned(&across);
+        tags = turned(&line_tags.iter().map(|t| spread(t)).collect::<Vec<_>>());
+        // 1 and 2 keep their points.
+        tags.iter_mut()
+            .flatten()
+            .for_each(|tag| *tag = if matches!(tag, 1 | 2) { *tag } else { 0 });
+    }
+}

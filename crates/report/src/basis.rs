@@ -12,6 +12,8 @@ use crate::number;
 
 /// Derivatives that are shown if nothing else is asked for.
 const USUAL_ORDER: usize = 2;
+/// The farthest index of a mask.
+const FARTHEST: i64 = 1_000;
 /// The finest grid.
 const MOST_LEVELS: u32 = 12;
 
@@ -53,6 +55,12 @@ impl Basis {
             let message = format!("{} is not proved to be C^{order}", scheme.name());
             let hint = format!("it is C^{continuity}: ask for derivatives up to that order");
             return Err(Diagnostic::new("smoothness", message).with_hint(hint));
+        }
+        let (low, high) = scheme.mask().support();
+        if low.abs().max(high.abs()) > FARTHEST {
+            let message = "the mask is too far from the index 0, or too long";
+            let hint = format!("indices up to {FARTHEST} do: `shift(SCHEME, k)` moves a mask");
+            return Err(Diagnostic::new("budget", message).with_hint(hint));
         }
         let (places, values) = table(scheme, &limit, levels, order)?;
         let support = limit.support();

@@ -238,6 +238,15 @@ impl TensionTable {
             parameters.iter().map(column).collect()
         };
         let (own, edges) = (columns(""), columns("edge_"));
+        if let Some(twice) = (1..names.len()).find(|&k| names[..k].contains(&names[k])) {
+            let message = format!("two columns are called `{}`", names[twice]);
+            return Err(Diagnostic::new("tensions", message).with_hint("name each of them once"));
+        }
+        if own.iter().all(Option::is_none) && edges.iter().any(Option::is_some) {
+            let message = "edges have columns of tensions, and vertices have none";
+            let hint = format!("name a column {}", parameters[0]);
+            return Err(Diagnostic::new("tensions", message).with_hint(hint));
+        }
         let is_coordinate = |k: &usize| !own.iter().chain(&edges).any(|column| column == &Some(*k));
         let coordinates: Vec<usize> = (0..table.dimension).filter(is_coordinate).collect();
         if coordinates.is_empty() {
@@ -308,7 +317,8 @@ pub fn assignment_document(
         rows: pairs.enumerate().map(row).collect(),
         remarks: vec![
             format!("new points take {}", new_points.join(", ")),
-            "interpolated points are kept exactly, on every level".into(),
+            "interpolated points are kept exactly on every level, unless the ends are trimmed off"
+                .into(),
             "the edge after a point takes its tensions: the order of the points matters".into(),
         ],
     };

@@ -1,5 +1,7 @@
 //! Schematic sketches of rules: which old points make a new one, with which weights.
 
+use refinable_analysis::degrees;
+use refinable_refine::Coordinate;
 use refinable_scheme::{Scheme, Stencil};
 
 use crate::canvas::{BLACK, GREY, Panel, Place, RED, Shape, sheet};
@@ -64,12 +66,11 @@ fn panel(scheme: &Scheme, class: usize, stencil: &Stencil) -> Panel {
     Panel { caption: vec![sum], shapes, stretched: true }
 }
 
-/// Where the new point stands: between the old ones, `(ε - τ)/m`, for the picture.
+/// Where the new point stands among the old ones: at `(ε - τ)/m`; where `τ` depends on parameters, as if it were 0.
 fn new_place(scheme: &Scheme, class: usize) -> Place {
-    let mask = scheme.mask();
-    let arity = mask.arity() as f64;
-    let middle = if mask.is_dual() { 0.5 } else { 0.0 };
-    [(class as f64 + middle) / arity, 0.8]
+    let shift = degrees(scheme.mask()).tau.as_constant().unwrap_or_default();
+    let arity = scheme.mask().arity() as f64;
+    [(class as f64 - f64::from_rational(&shift)) / arity, 0.8]
 }
 
 fn new_name(arity: usize, class: usize) -> String {

@@ -38,7 +38,7 @@ pub fn publish(site: &mut Site) -> Result<(), Diagnostic> {
     let figures = all()?;
     let mut page = String::from(
         "# Figures\n\nThe figures of the paper, drawn anew. Initial polygons and nets are red, as in the paper; \
-         limit curves are black, refined five times.\n",
+         limit curves are black, or black, blue and green, after five levels and more.\n",
     );
     for Figure { name, label, caption, .. } in &figures {
         page.push_str(&format!("\n## {label}\n\n![{label}]({name}.svg)\n\n{caption}\n"));
