@@ -354,6 +354,16 @@ fn points_from_a_pipe() {
     }
 }
 
+#[test]
+fn coordinates_beyond_floats_are_refused() {
+    let points = b"-1.7e308,0\n1.7e308,0\n1.7e308,0\n-1.7e308,0\n";
+    let output = piped(&["curve", "dd4", "--levels", "1"], points);
+    assert_eq!((code(&output), stdout(&output)), (2, String::new()));
+    assert!(stderr(&output).starts_with("error[overflow]"), "{}", stderr(&output));
+    let exact = piped(&["curve", "dd4", "--levels", "1", "--exact"], points);
+    assert_eq!(code(&exact), 0);
+}
+
 /// Each kind of file by its first bytes; nothing is left behind where writing fails.
 #[test]
 fn curves_and_surfaces_in_files() {

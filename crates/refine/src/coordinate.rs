@@ -18,6 +18,8 @@ pub trait Coordinate: Clone + PartialEq + Debug + Send + Sync + 'static {
     fn product(weight: &Self, x: &Self) -> Self;
     /// `self += weight · x`.
     fn add_product(&mut self, weight: &Self, x: &Self);
+    /// Whether it is a number; sums of floats may be infinite, or not even that.
+    fn is_finite(&self) -> bool;
     /// Reads `7`, `-0.05`, `.5`, `1.`, `+1/3` or `2.5e-3`; `None` for anything else, infinities included.
     fn parse(text: &str) -> Option<Self>;
     /// As text that [`parse`](Self::parse) reads back without a loss.
@@ -47,10 +49,14 @@ impl Coordinate for f64 {
         *self += weight * x;
     }
 
+    fn is_finite(&self) -> bool {
+        f64::is_finite(*self)
+    }
+
     fn parse(text: &str) -> Option<Self> {
         if text.contains('/') {
             let exact = parse_rational(unsigned_plus(text)?)?;
-            return Some(f64::from_rational(&exact)).filter(|x| x.is_finite());
+            return Some(f64::from_rational(&exact)).filter(Coordinate::is_finite);
         }
         let is_decimal = |c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.' | 'e' | 'E');
         let decimal = text.chars().all(is_decimal).then_some(text)?;
@@ -87,6 +93,10 @@ impl Coordinate for Rational {
 
     fn add_product(&mut self, weight: &Self, x: &Self) {
         *self += weight * x;
+    }
+
+    fn is_finite(&self) -> bool {
+        true
     }
 
     fn parse(text: &str) -> Option<Self> {

@@ -8,7 +8,7 @@ use serde_json::json;
 
 use crate::canvas::{BLACK, BLUE, Panel, Place, RED, Shape, sheet};
 use crate::grid::{Cell, Document, Grid};
-use crate::points::{names, polygon_csv, polygon_json};
+use crate::points::{expect_finite, names, polygon_csv, polygon_json};
 use crate::surface_picture::View;
 
 /// The points of a curve.
@@ -60,10 +60,12 @@ impl<T: Coordinate> Curve<T> {
             }
             _ => None,
         };
+        let points = refined(scheme, &control, options)?;
+        expect_finite(points.values())?;
         Ok(Curve {
             scheme: scheme.name().to_string(),
             levels: options.levels,
-            points: refined(scheme, &control, options)?,
+            points,
             control,
             is_limit: options.limit,
             abscissae,

@@ -11,6 +11,7 @@ use refinable_scheme::{Diagnostic, Scheme, Substitution};
 use serde_json::{Map, Value, json};
 
 use crate::grid::{Cell, Document, Grid};
+use crate::points::expect_finite;
 
 /// The tensions of a member of a family, one for each of its parameters in their order.
 pub type Member = Vec<Rational>;
@@ -116,7 +117,9 @@ impl Assignment {
         ends: Ends,
     ) -> Result<Polygon<T>, Diagnostic> {
         let tensions = Tensions { vertices: self.vertices.clone(), edges: self.edges.clone() };
-        self.scheme(family)?.refine(polygon, &tensions, levels, ends)
+        let refined = self.scheme(family)?.refine(polygon, &tensions, levels, ends)?;
+        expect_finite(refined.values())?;
+        Ok(refined)
     }
 
     /// The refined net; edges take what the vertices before them take.
@@ -130,7 +133,9 @@ impl Assignment {
         levels: u32,
         ends: [Ends; 2],
     ) -> Result<Net<T>, Diagnostic> {
-        self.scheme(family)?.refine_net(net, &self.vertices, levels, ends)
+        let refined = self.scheme(family)?.refine_net(net, &self.vertices, levels, ends)?;
+        expect_finite(refined.values())?;
+        Ok(refined)
     }
 }
 

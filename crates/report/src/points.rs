@@ -1,7 +1,20 @@
 //! Points as text: a line for each, or JSON.
 
 use refinable_refine::{Coordinate, Net, Polygon};
+use refinable_scheme::Diagnostic;
 use serde_json::{Value, json};
+
+/// Whether all coordinates are numbers.
+///
+/// # Errors
+/// Code `overflow` if floats were not large enough.
+pub(crate) fn expect_finite<T: Coordinate>(values: &[T]) -> Result<(), Diagnostic> {
+    if values.iter().all(Coordinate::is_finite) {
+        return Ok(());
+    }
+    let message = "coordinates grow beyond all floats";
+    Err(Diagnostic::new("overflow", message).with_hint("scale the points, or refine with --exact"))
+}
 
 /// The names of the columns of points: `x,y,z` as far as they go, else `x1,x2,…`.
 pub(crate) fn names(dimension: usize) -> String {

@@ -6,7 +6,7 @@ use serde_json::json;
 
 use crate::canvas::{Panel, Shape, sheet};
 use crate::grid::{Cell, Document, Grid};
-use crate::points::{names, net_csv, net_json};
+use crate::points::{expect_finite, names, net_csv, net_json};
 use crate::surface_picture::{View, faces, wires};
 
 /// The most faces that are drawn.
@@ -35,6 +35,7 @@ impl<T: Coordinate> TensorSurface<T> {
         let rules = [Weights::new(schemes[0].mask())?, Weights::new(schemes[1].mask())?];
         let chains = [rules[ACROSS].repeated(levels)?, rules[ALONG].repeated(levels)?];
         let points = refine_net(&control, [&chains[ACROSS], &chains[ALONG]], ends)?;
+        expect_finite(points.values())?;
         Ok(TensorSurface {
             schemes: schemes.map(|s| s.name().to_string()),
             levels,
