@@ -77,7 +77,7 @@ pub fn interproximate_tensions(name: &str, mask: &Normalised) -> Result<TensionC
         let message = "no smooth member of the family was found";
         return Err(Diagnostic::new("tensions", message).with_hint(hint));
     };
-    let approximating = at(mask, &parameters, &summit.parameters)?.rule();
+    let approximating = mask.at(&summit.parameters)?.rule();
     let interpolating = mask.substitute(&fixed, &constant(&value))?;
     let degree = degrees(mask).generic().reproduction.0;
     let (lowest, highest) = mask.support();
@@ -133,15 +133,6 @@ fn interpolation(mask: &Normalised) -> Option<(Parameter, Rational)> {
 
 fn constant(x: &Rational) -> ParameterFraction {
     ParameterFraction::from(ParameterPolynomial::constant(x.clone()))
-}
-
-fn at(
-    mask: &Normalised,
-    parameters: &[Parameter],
-    values: &[Rational],
-) -> Result<Normalised, Diagnostic> {
-    let mut pairs = parameters.iter().zip(values);
-    pairs.try_fold(mask.clone(), |mask, (p, x)| mask.substitute(p, &constant(x)))
 }
 
 /// `T`, with `Δ^(d+1) S = T Δ^(d+1)` for the points from `-w` to `w` around an interpolated vertex.

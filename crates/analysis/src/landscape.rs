@@ -1,6 +1,6 @@
 //! The Hölder exponent over two parameters: how it runs, and where it is largest.
 
-use refinable_algebra::{ParameterFraction, ParameterPolynomial, Rational, Ring};
+use refinable_algebra::{Rational, Ring};
 use refinable_scheme::{Diagnostic, Normalised};
 use refinable_spectral::{Options, PlanePencil, Window, decay, outline, slowest};
 
@@ -91,7 +91,7 @@ pub fn landscape(
     for (locus, choices) in places {
         // Where eigenvalues meet the radius may escape: a place not quite so smooth does as well.
         let summit = choices.into_iter().find_map(|parameters| {
-            let member = at(&plane, mask, &parameters).ok()?;
+            let member = mask.at(&parameters).ok()?;
             let regularity = regularity(name, &member, &Options::default()).ok()?;
             Some(Summit { locus: locus.clone(), parameters, regularity })
         });
@@ -108,19 +108,6 @@ impl Landscape {
     pub fn highest(&self) -> Option<&Summit> {
         self.summits.iter().max_by(|a, b| a.regularity.lower.cmp(&b.regularity.lower))
     }
-}
-
-/// The member at a point.
-fn at(
-    plane: &Plane,
-    mask: &Normalised,
-    parameters: &[Rational; 2],
-) -> Result<Normalised, Diagnostic> {
-    let mut pairs = plane.parameters().iter().zip(parameters);
-    pairs.try_fold(mask.clone(), |mask, (parameter, value)| {
-        let value = ParameterFraction::from(ParameterPolynomial::constant(value.clone()));
-        mask.substitute(parameter, &value)
-    })
 }
 
 /// The smoothest places in the box on each line and at each point where a higher power divides.

@@ -4,12 +4,12 @@ use std::io::{self, Read};
 use std::path::Path;
 
 use refinable_algebra::Rational;
-use refinable_analysis::{degrees, interproximate_tensions};
+use refinable_analysis::interproximate_tensions;
 use refinable_refine::{Coordinate, Ends, Net, PointTable, Polygon};
 use refinable_report::{
     Assignment, Basis, Curve, CurveOptions, Document, Member, Mesh, MeshFormat, TensionTable,
-    TensorSurface, assignment_document, choice_text, net_csv, net_json, polygon_csv, polygon_json,
-    tensions_of,
+    TensorSurface, assignment_document, choice_text, extrapolation, net_csv, net_json, polygon_csv,
+    polygon_json, tensions_of,
 };
 use refinable_scheme::{Scheme, Substitution};
 
@@ -24,8 +24,6 @@ use crate::output;
 
 /// The most that is read from a file of points, in bytes.
 const LARGEST_INPUT: u64 = 256 << 20;
-/// Extrapolation by polynomials of higher degrees swings.
-const HIGHEST_EXTRAPOLATION: usize = 3;
 
 /// What a file that is written holds, by the end of its name.
 #[derive(Clone, Copy)]
@@ -207,23 +205,25 @@ pub fn interproximate(arguments: &InterproximateArguments) -> Result<(), Failure
     if arguments.surface {
         let control = net(table, arguments.columns, arguments.closed)?;
         let refined = assignment.refine_net(&family, &control, levels, [ends; 2])?;
-        let document = assignment_document(&family, &assignment, net_json(&refined), levels)?;
         let made = TensorSurface::of_points(name, control, refined, levels);
+        let document =
+            || assignment_document(&family, &assignment, net_json(made.points()), levels);
         return match goal {
             Some((_, Target::Picture(_) | Target::Mesh(_))) => {
                 emit_surface(&made, goal, points.format.format)
             }
-            _ => emit_assigned(goal, points.format.format, &|| net_csv(made.points()), document),
+            _ => emit_assigned(goal, points.format.format, &|| net_csv(made.points()), &document),
         };
     }
     let control = polygon(table, arguments.closed != Closed::Neither)?;
     let refined = assignment.refine(&family, &control, levels, ends)?;
-    let document = assignment_document(&family, &assignment, polygon_json(&refined), levels)?;
     let marked = assignment.interpolated(&family)?;
     let made = Curve::of_points(name, control, refined, levels, marked);
+    let document =
+        || assignment_document(&family, &assignment, polygon_json(made.points()), levels);
     match goal {
         Some((path, Target::Picture(image))) => image.write(path, &made.picture()?),
-        _ => emit_assigned(goal, points.format.format, &|| polygon_csv(made.points()), document),
+        _ => emit_assigned(goal, points.format.format, &|| polygon_csv(made.points()), &document),
     }
 }
 
@@ -232,12 +232,12 @@ fn emit_assigned(
     goal: Goal<'_>,
     format: Format,
     csv: &dyn Fn() -> String,
-    document: Document,
+    document: &dyn Fn() -> Document,
 ) -> Result<(), Failure> {
     if goal.is_none() && format == Format::Text {
-        return output::print(&document, format);
+        return output::print(&document(), format);
     }
-    emit(goal, format, csv, &|| document.clone())
+    emit(goal, format, csv, document)
 }
 
 fn assignment(
@@ -314,10 +314,7 @@ fn ends(argument: EndsArgument, scheme: &Scheme) -> Ends {
     match argument {
         EndsArgument::Trim => Ends::Trim,
         EndsArgument::Reflect => Ends::Reflect,
-        EndsArgument::Extrapolate => {
-            let degree = degrees(scheme.mask()).generic().reproduction.0;
-            Ends::Extrapolate { degree: degree.min(HIGHEST_EXTRAPOLATION) }
-        }
+        EndsArgument::Extrapolate => extrapolation(scheme),
     }
 }
 

@@ -18,7 +18,7 @@ use crate::weights::Weights;
 
 /// Points of the last level in a block of a curve: with their ancestors they fit into a cache.
 const BLOCK: usize = 4096;
-/// Values of a tile of rows, and rows of a band.
+/// Values of a row in a tile.
 const TILE: usize = 512;
 /// Rows in a band of a surface.
 pub(crate) const BAND: usize = 64;

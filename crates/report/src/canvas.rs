@@ -18,6 +18,7 @@ const HEAD: f64 = 30.0;
 pub(crate) type Place = [f64; 2];
 
 /// Something to be drawn.
+#[derive(Clone)]
 pub(crate) enum Shape {
     /// A polygon without its inside.
     Line { points: Vec<Place>, closed: bool, color: &'static str, width: f64, dashed: bool },

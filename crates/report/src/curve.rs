@@ -1,7 +1,7 @@
 //! `curve`: a refined polygon, as points and as a picture.
 
 use refinable_algebra::{Rational, Ring};
-use refinable_analysis::{Options, regularity};
+use refinable_analysis::{Options, degrees, regularity};
 use refinable_refine::{BasicLimit, Coordinate, Ends, Polygon, Weights, refine, refine_to};
 use refinable_scheme::{Diagnostic, Scheme};
 use serde_json::json;
@@ -132,6 +132,16 @@ impl<T: Coordinate> Curve<T> {
         });
         Document { grids: vec![grid], summary: None, json }
     }
+}
+
+/// Extrapolation by polynomials of higher degrees swings.
+const HIGHEST_EXTRAPOLATION: usize = 3;
+
+/// Ends that are extrapolated by polynomials as high as the scheme reproduces for all values of its parameters,
+/// at most cubic.
+pub fn extrapolation(scheme: &Scheme) -> Ends {
+    let degree = degrees(scheme.mask()).generic().reproduction.0;
+    Ends::Extrapolate { degree: degree.min(HIGHEST_EXTRAPOLATION) }
 }
 
 fn refined<T: Coordinate>(
@@ -273,4 +283,35 @@ pub(crate) fn expect_smooth(scheme: &Scheme, order: usize, wanted: &str) -> Resu
     let message = format!("{} is not proved to {known}", scheme.name());
     Err(Diagnostic::new("smoothness", message)
         .with_hint(format!("for {wanted} a scheme must be C^{order}")))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The cubic spline of a square: at its corner the derivatives are (1, -1) and (-2, -2), the curvature is √2,
+    /// and all four teeth are as long, outward, a fifth of the side. On a line there are none.
+    #[test]
+    fn teeth_point_away_from_the_centre() {
+        let scheme = Scheme::resolve("bspline3", 2).unwrap();
+        let options = CurveOptions { levels: 0, ends: Ends::Reflect, limit: false };
+        let comb = |values: &[f64], closed: bool| {
+            let control = Polygon::new(2, values.to_vec(), closed).unwrap();
+            let curve = Curve::new(&scheme, control, options).unwrap();
+            let curve = curve.with_comb(&scheme, Ends::Reflect).unwrap();
+            let tips = curve.comb.clone().unwrap();
+            let points = curve.points.points().zip(tips);
+            points.map(|(p, tip)| [tip[0] - p[0], tip[1] - p[1]]).collect::<Vec<Place>>()
+        };
+        let side = 0.4 / 2f64.sqrt();
+        let teeth = comb(&[1.0, 1.0, 1.0, -1.0, -1.0, -1.0, -1.0, 1.0], true);
+        for (tooth, [x, y]) in
+            teeth.iter().zip([[1.0, 1.0], [1.0, -1.0], [-1.0, -1.0], [-1.0, 1.0]])
+        {
+            assert!((tooth[0] - x * side).abs() + (tooth[1] - y * side).abs() < 1e-12, "{tooth:?}");
+        }
+        assert!(
+            comb(&[0.0, 0.0, 1.0, 2.0, 2.0, 4.0, 3.0, 6.0], false).iter().all(|t| *t == [0.0, 0.0])
+        );
+    }
 }

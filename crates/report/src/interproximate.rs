@@ -1,13 +1,11 @@
 //! `interproximate`: tensions of their own at every control point.
 
-use refinable_algebra::{
-    Parameter, ParameterFraction, ParameterPolynomial, Rational, Ring, decimal,
-};
+use refinable_algebra::{Parameter, Rational, Ring, decimal};
 use refinable_analysis::TensionChoice;
 use refinable_refine::{
     Coordinate, Ends, Interproximate, Net, PointTable, Polygon, Tensions, Weights,
 };
-use refinable_scheme::{Diagnostic, Scheme, Substitution};
+use refinable_scheme::{Diagnostic, Scheme};
 use serde_json::{Map, Value, json};
 
 use crate::grid::{Cell, Document, Grid};
@@ -144,32 +142,15 @@ pub fn tensions_of(family: &Scheme) -> Vec<Parameter> {
     family.mask().parameters().into_iter().collect()
 }
 
-/// A member of a family.
-///
-/// # Errors
-/// Code `tensions` for another number of values, `pole`.
-pub fn member_scheme(family: &Scheme, member: &Member) -> Result<Scheme, Diagnostic> {
-    let parameters = tensions_of(family);
-    if parameters.len() != member.len() {
-        let message = format!("{} tensions for {} parameters", member.len(), parameters.len());
-        return Err(Diagnostic::new("tensions", message));
-    }
-    let set = |(parameter, value): (&Parameter, &Rational)| {
-        let value = ParameterFraction::from(ParameterPolynomial::constant(value.clone()));
-        Substitution::new(parameter.clone(), value)
-    };
-    family.with(&parameters.iter().zip(member).map(set).collect::<Vec<_>>())
-}
-
 /// The rules of members.
 ///
 /// # Errors
-/// Those of [`member_scheme`].
+/// Those of [`Normalised::at`](refinable_scheme::Normalised::at).
 pub(crate) fn family_weights<T: Coordinate>(
     family: &Scheme,
     members: &[Member],
 ) -> Result<Vec<Weights<T>>, Diagnostic> {
-    members.iter().map(|member| Weights::new(member_scheme(family, member)?.mask())).collect()
+    members.iter().map(|member| Weights::new(&family.mask().at(member)?)).collect()
 }
 
 /// The member of all vertices that are not interpolated; if there is none, that of all vertices.
@@ -295,8 +276,9 @@ pub fn assignment_document(
     assignment: &Assignment,
     points: Value,
     levels: u32,
-) -> Result<Document, Diagnostic> {
-    let interpolated = assignment.interpolated(family)?;
+) -> Document {
+    // An assignment whose members cannot be made is not refined, and comes here no more.
+    let interpolated = assignment.interpolated(family).unwrap_or_default();
     let parameters = tensions_of(family);
     let names: Vec<String> = parameters.iter().map(ToString::to_string).collect();
     let row = |(i, (vertex, edge)): (usize, (&usize, &usize))| {
@@ -336,5 +318,5 @@ pub fn assignment_document(
         "approximating": json_member(assignment.approximating),
         "points": points,
     });
-    Ok(Document { grids: vec![grid], summary: None, json })
+    Document { grids: vec![grid], summary: None, json }
 }

@@ -65,13 +65,13 @@ pub use analyze::analyze;
 pub use audit::{Agreement, Audit, AuditedCell, AuditedTable, CertificateStore, Effort, Ranges};
 pub use basis::Basis;
 pub use compare::compare;
-pub use curve::{Curve, CurveOptions};
+pub use curve::{Curve, CurveOptions, extrapolation};
 pub use degrees::degree_table;
 pub use expect::{Checked, check, check_json, expected_file};
 pub use families::{FamilyMaps, MapStore};
 pub use grid::{Cell, Document, Grid};
 pub use interproximate::{
-    Assignment, Member, TensionTable, assignment_document, choice_text, member_scheme, tensions_of,
+    Assignment, Member, TensionTable, assignment_document, choice_text, tensions_of,
 };
 pub use landscape::HolderMap;
 pub use map::Maps;

@@ -45,30 +45,13 @@ impl<'a> Mesh<'a> {
         }
     }
 
-    /// Rows and columns of faces.
-    fn faces(&self) -> [usize; 2] {
-        let closed = self.net.closed();
-        // Two rows that are joined at both sides would make every face twice.
-        let count = |n: usize, closed: bool| if closed && n > 2 { n } else { n - 1 };
-        [count(self.net.rows(), closed[ACROSS]), count(self.net.columns(), closed[ALONG])]
-    }
-
     fn count(&self) -> u64 {
-        let [rows, columns] = self.faces();
+        let [rows, columns] = faces(self.net);
         rows as u64 * columns as u64
     }
 
     fn vertices(&self) -> impl Iterator<Item = [f64; 3]> + '_ {
         self.net.values().chunks_exact(self.net.dimension()).map(in_space)
-    }
-
-    /// Corners of the quadrilaterals, as indices of vertices from 0.
-    fn quadrilaterals(&self) -> impl Iterator<Item = [usize; 4]> + '_ {
-        let [rows, columns] = self.faces();
-        let (n, m) = (self.net.rows(), self.net.columns());
-        let index = move |i: usize, j: usize| (i % n) * m + j % m;
-        let face = move |i, j| [index(i, j), index(i, j + 1), index(i + 1, j + 1), index(i + 1, j)];
-        (0..rows).flat_map(move |i| (0..columns).map(move |j| face(i, j)))
     }
 
     /// Writes the mesh.
@@ -87,7 +70,7 @@ impl<'a> Mesh<'a> {
         for [x, y, z] in self.vertices() {
             writeln!(out, "v {x} {y} {z}")?;
         }
-        for corners in self.quadrilaterals() {
+        for corners in quadrilaterals(self.net) {
             let [a, b, c, d] = corners.map(|k| k + 1);
             writeln!(out, "f {a} {b} {c} {d}")?;
         }
@@ -105,7 +88,7 @@ impl<'a> Mesh<'a> {
         for x in self.vertices().flatten() {
             out.write_all(&x.to_le_bytes())?;
         }
-        for corners in self.quadrilaterals() {
+        for corners in quadrilaterals(self.net) {
             out.write_all(&[4])?;
             for k in corners {
                 out.write_all(&(k as u32).to_le_bytes())?;
@@ -119,7 +102,7 @@ impl<'a> Mesh<'a> {
         out.write_all(&(2 * self.count() as u32).to_le_bytes())?;
         let width = self.net.dimension();
         let vertex = |k: usize| in_space(&self.net.values()[k * width..][..width]);
-        for [a, b, c, d] in self.quadrilaterals() {
+        for [a, b, c, d] in quadrilaterals(self.net) {
             for triangle in [[a, b, c], [a, c, d]] {
                 let corners = triangle.map(vertex);
                 let numbers = [unit_normal(corners)].into_iter().chain(corners).flatten();
@@ -133,7 +116,25 @@ impl<'a> Mesh<'a> {
     }
 }
 
-fn in_space(point: &[f64]) -> [f64; 3] {
+/// Rows and columns of faces.
+fn faces(net: &Net<f64>) -> [usize; 2] {
+    let closed = net.closed();
+    // Two rows that are joined at both sides would make every face twice.
+    let count = |n: usize, closed: bool| if closed && n > 2 { n } else { n - 1 };
+    [count(net.rows(), closed[ACROSS]), count(net.columns(), closed[ALONG])]
+}
+
+/// Corners of the quadrilaterals, as indices of vertices from 0, row by row.
+pub(crate) fn quadrilaterals(net: &Net<f64>) -> impl Iterator<Item = [usize; 4]> + '_ {
+    let [rows, columns] = faces(net);
+    let (n, m) = (net.rows(), net.columns());
+    let index = move |i: usize, j: usize| (i % n) * m + j % m;
+    let face = move |i, j| [index(i, j), index(i, j + 1), index(i + 1, j + 1), index(i + 1, j)];
+    (0..rows).flat_map(move |i| (0..columns).map(move |j| face(i, j)))
+}
+
+/// A point of two or three coordinates in space.
+pub(crate) fn in_space(point: &[f64]) -> [f64; 3] {
     [point[0], point[1], point.get(2).copied().unwrap_or(0.0)]
 }
 

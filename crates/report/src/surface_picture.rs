@@ -3,7 +3,7 @@
 use refinable_refine::{ACROSS, ALONG, Net};
 
 use crate::canvas::{Place, RED, Shape};
-use crate::mesh::{cross, difference, dot};
+use crate::mesh::{cross, difference, dot, in_space, quadrilaterals};
 
 /// A direction of view: unit vectors to the right, upwards and towards the eye.
 pub(crate) struct View {
@@ -34,6 +34,7 @@ impl View {
 pub(crate) fn faces(net: &Net<f64>, view: &View) -> Vec<Shape> {
     let mut faces: Vec<(f64, Shape)> = Vec::new();
     for corners in quadrilaterals(net) {
+        let corners = corners.map(|k| in_space(net.point(k / net.columns(), k % net.columns())));
         let [a, b, c, d] = corners;
         let depth = corners.iter().map(|p| dot(view.eye, *p)).sum::<f64>();
         let normal = cross(difference(c, a), difference(d, b));
@@ -61,20 +62,6 @@ pub(crate) fn wires(net: &Net<f64>, view: &View) -> Vec<Shape> {
     let dots =
         Shape::Dots { points: points.map(|(i, j)| at(i, j)).collect(), color: RED, radius: 2.0 };
     rows.chain(columns).map(wire).chain([dots]).collect()
-}
-
-fn in_space(point: &[f64]) -> [f64; 3] {
-    let at = |k: usize| point.get(k).copied().unwrap_or(0.0);
-    [at(0), at(1), at(2)]
-}
-
-fn quadrilaterals(net: &Net<f64>) -> impl Iterator<Item = [[f64; 3]; 4]> + '_ {
-    let closed = net.closed();
-    let rows = if closed[ACROSS] { net.rows() } else { net.rows() - 1 };
-    let columns = if closed[ALONG] { net.columns() } else { net.columns() - 1 };
-    let at = |i: usize, j: usize| in_space(net.point(i % net.rows(), j % net.columns()));
-    let face = move |(i, j)| [at(i, j), at(i, j + 1), at(i + 1, j + 1), at(i + 1, j)];
-    (0..rows).flat_map(move |i| (0..columns).map(move |j| (i, j))).map(face)
 }
 
 /// Light comes from the upper left behind the eye; both sides are lit, the back in another hue.

@@ -47,6 +47,22 @@ impl Normalised {
         Ok(result)
     }
 
+    /// The mask at values of all its parameters, in their order.
+    ///
+    /// # Errors
+    /// Code `substitution` for another number of values; those of [`Mask::substitute`].
+    pub fn at(&self, values: &[Rational]) -> Result<Self, Diagnostic> {
+        let parameters = self.parameters();
+        if parameters.len() != values.len() {
+            let message = format!("{} values for {} parameters", values.len(), parameters.len());
+            return Err(Diagnostic::new("substitution", message));
+        }
+        parameters.iter().zip(values).try_fold(self.clone(), |mask, (parameter, value)| {
+            let value = ParameterPolynomial::constant(value.clone()).into();
+            mask.substitute(parameter, &value)
+        })
+    }
+
     /// Whether the promise of the type holds.
     pub fn check_invariants(&self) -> bool {
         is_normalised(&self.0) && self.0.check_invariants()

@@ -116,16 +116,11 @@ impl Construction {
             .map(|(p, v)| moved(*p, scaled(*v, alpha)))
             .chain(first[1].iter().zip(&edges).map(|(p, v)| moved(*p, *v)))
             .collect();
-        let again = || {
-            let vectors = vertices.iter().map(|v| scaled(*v, alpha)).chain(edges.iter().copied());
-            let points = first[0].iter().chain(&first[1]);
-            points.zip(vectors).map(|(p, v)| moved(*p, v)).collect::<Vec<_>>()
-        };
         vec![
-            self.panel("(a) α C_{2i,2} and C_{2i+1,2}", [self.first_points(), arrows]),
+            self.panel("(a) α C_{2i,2} and C_{2i+1,2}", [self.first_points(), arrows.clone()]),
             self.panel(
                 "(b) points moved along them",
-                [self.first_points(), again(), self.second_points()],
+                [self.first_points(), arrows, self.second_points()],
             ),
             self.panel("(c) the four-point scheme", [self.second_points()]),
         ]

@@ -9,8 +9,8 @@ mod interproximate;
 mod models;
 mod surfaces;
 
-use refinable_algebra::{ParameterFraction, ParameterPolynomial, parse_rational};
-use refinable_scheme::{Diagnostic, Scheme, Substitution};
+use refinable_algebra::{Rational, parse_rational};
+use refinable_scheme::{Diagnostic, Scheme};
 
 use crate::rule_picture::rule_picture;
 use crate::site::Site;
@@ -71,13 +71,9 @@ fn sketch(name: &'static str, label: &'static str, scheme: &str) -> Result<Figur
 /// A scheme of the catalogue at values of its parameters, in their order.
 pub(crate) fn member(name: &str, values: &[&str]) -> Result<Scheme, Diagnostic> {
     let scheme = Scheme::resolve(name, 2)?;
-    let parameters = scheme.mask().parameters();
-    let set = |(parameter, value): (&refinable_algebra::Parameter, &&str)| {
-        let value = parse_rational(value).unwrap_or_default();
-        let value = ParameterFraction::from(ParameterPolynomial::constant(value));
-        Substitution::new(parameter.clone(), value)
-    };
-    scheme.with(&parameters.iter().zip(values).map(set).collect::<Vec<_>>())
+    let values: Vec<Rational> =
+        values.iter().map(|text| parse_rational(text).expect("the figures' own numbers")).collect();
+    Ok(Scheme::new(name, scheme.mask().at(&values)?))
 }
 
 /// `α = 1/8, β = 0`, for the parameters of a family of the paper.
