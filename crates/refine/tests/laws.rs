@@ -437,6 +437,44 @@ fn interproximate_refinement_is_its_definition() {
     }
 }
 
+/// Reflected ends: the same by ghost points written down, vertices mirrored at the ends and edges onto edges.
+#[test]
+fn reflected_tensions_are_mirrored() {
+    let vertices = [1, 0, 2, 3, 1, 0, 3];
+    let edges = [2, 3, 1, 1, 0, 2];
+    let points = [3, -1, 4, 1, -5, 9, 2].map(|x| rational(x, 1));
+    let mirrored = |i: i64| if i < 0 { -i } else if i > 6 { 12 - i } else { i } as usize;
+    let ghost = |i: i64| {
+        let end = if i < 0 { &points[0] } else { &points[6] };
+        let given = &points[mirrored(i)];
+        if (0..7).contains(&i) { given.clone() } else { rational(2, 1) * end - given }
+    };
+    let edge = |i: i64| {
+        edges[if i < 0 {
+            -i - 1
+        } else if i > 5 {
+            11 - i
+        } else {
+            i
+        } as usize]
+    };
+    let definition = Definition {
+        members: members_of_a3(),
+        vertices: (-6..13).map(|i| vertices[mirrored(i)]).collect(),
+        edges: (-6..12).map(edge).chain([0]).collect(),
+        points: (-6..13).map(ghost).collect(),
+    };
+    let scheme = Interproximate::new(definition.members.clone(), 0).unwrap();
+    let tensions = Tensions { vertices: vertices.to_vec(), edges: [&edges[..], &[0]].concat() };
+    let polygon = Polygon::new(1, points.to_vec(), false).unwrap();
+    for level in 0..4 {
+        let expected: Vec<Rational> =
+            (6 << level..=12 << level).map(|i| definition.point(level, i)).collect();
+        let found = scheme.refine(&polygon, &tensions, level, Ends::Reflect).unwrap();
+        assert_eq!(found.values(), expected, "level {level}");
+    }
+}
+
 /// Nets by their definition: each row with the members of its points, then each column with those of the points of
 /// the refined rows, of which new ones are approximating; after both, so is all that is not kept.
 #[test]
