@@ -307,6 +307,9 @@ pub struct SurfaceArguments {
     /// In which directions the net is closed
     #[arg(long, value_enum, default_value_t = Closed::Neither)]
     pub closed: Closed,
+    /// Move the points onto the limit surface
+    #[arg(long)]
+    pub limit: bool,
     /// Refine exactly, in rational numbers
     #[arg(long)]
     pub exact: bool,

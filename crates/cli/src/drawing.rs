@@ -158,7 +158,8 @@ fn made_surface<T: Coordinate>(arguments: &SurfaceArguments) -> Result<TensorSur
     let net = net(read::<T>(&arguments.points.points)?, arguments.columns, arguments.closed)?;
     let ends = [&across, &along]
         .map(|scheme| ends(arguments.points.ends.unwrap_or(EndsArgument::Trim), scheme));
-    Ok(TensorSurface::new([&across, &along], net, arguments.points.levels, ends)?)
+    let levels = arguments.points.levels;
+    Ok(TensorSurface::new([&across, &along], net, levels, ends, arguments.limit)?)
 }
 
 /// `basis`.

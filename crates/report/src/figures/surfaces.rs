@@ -81,5 +81,5 @@ fn surface(
     model: &Net<f64>,
 ) -> Result<TensorSurface<f64>, Diagnostic> {
     let scheme = member(scheme, values)?;
-    TensorSurface::new([&scheme, &scheme], model.clone(), LEVELS, [Ends::Reflect; 2])
+    TensorSurface::new([&scheme, &scheme], model.clone(), LEVELS, [Ends::Reflect; 2], false)
 }
