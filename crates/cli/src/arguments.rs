@@ -159,6 +159,11 @@ pub enum Command {
         #[command(flatten)]
         format: FormatArgument,
     },
+    /// The schemes that have names, and the constructions
+    Schemes {
+        #[command(flatten)]
+        format: FormatArgument,
+    },
     /// Check scheme files against what they expect: exit code 0 as expected, 1 something differs, 2 unreadable
     Check {
         /// The files, *.scheme.toml
@@ -295,11 +300,11 @@ pub struct SurfaceArguments {
     /// The points.
     #[command(flatten)]
     pub points: PointsArguments,
-    /// Another scheme from row to row
+    /// Another scheme from row to row; 'tensor(S, T)' as the scheme says the same of S and T
     #[arg(long, value_name = "SCHEME", allow_hyphen_values = true)]
     pub across: Option<String>,
     /// Set a parameter of the scheme from row to row; repeatable
-    #[arg(long, value_name = "NAME=VALUE", requires = "across", allow_hyphen_values = true)]
+    #[arg(long, value_name = "NAME=VALUE", allow_hyphen_values = true)]
     pub set_across: Vec<String>,
     /// How many points a row has, where no blank lines or brackets tell
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]

@@ -13,8 +13,8 @@ use refinable_papers::{Claims, Paper, Table};
 use refinable_report::{
     Audit, CERTIFICATES, CertificateStore, Checked, Effort, FamilyMaps, HolderMap, MapStore, Maps,
     Quantity, Scan, Site, Sweep, analyze, check, check_json, compare, degree_table, expected_file,
-    norm_table, proof_text, range_table, regularity_table, report_site, rule_picture, sharp_range,
-    sharp_range_table, show,
+    norm_table, proof_text, range_table, regularity_table, report_site, rule_picture, schemes,
+    sharp_range, sharp_range_table, show,
 };
 use refinable_scheme::{Scheme, SchemeFile, Substitution};
 
@@ -137,6 +137,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         Command::Analyze { scheme, format } => {
             output::print(&analyze(&resolve(scheme)?), format.format)?;
         }
+        Command::Schemes { format } => output::print(&schemes(), format.format)?,
         Command::Compare { schemes, arity, format } => {
             let resolved = schemes.iter().map(|text| resolve_text(text, *arity, &[]));
             output::print(&compare(&resolved.collect::<Result<Vec<_>, _>>()?), format.format)?;

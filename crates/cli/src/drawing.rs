@@ -11,11 +11,11 @@ use refinable_report::{
     TensorSurface, assignment_document, choice_text, extrapolation, net_csv, net_json, polygon_csv,
     polygon_json, tensions_of,
 };
-use refinable_scheme::{Scheme, Substitution};
+use refinable_scheme::{Scheme, Substitution, tensor_factors};
 
 use crate::arguments::{
     Closed, CurveArguments, EndsArgument, Format, InterproximateArguments, PointsArguments,
-    SurfaceArguments,
+    SchemeArguments, SurfaceArguments,
 };
 use crate::commands::{resolve, resolve_text};
 use crate::failure::Failure;
@@ -150,16 +150,39 @@ fn emit_surface(made: &TensorSurface<f64>, goal: Goal<'_>, format: Format) -> Re
 }
 
 fn made_surface<T: Coordinate>(arguments: &SurfaceArguments) -> Result<TensorSurface<T>, Failure> {
-    let along = resolve(&arguments.scheme)?;
-    let across = match &arguments.across {
-        Some(text) => resolve_text(text, arguments.scheme.arity, &arguments.set_across)?,
-        None => along.clone(),
-    };
+    let [across, along] = factors(arguments)?;
     let net = net(read::<T>(&arguments.points.points)?, arguments.columns, arguments.closed)?;
     let ends = [&across, &along]
         .map(|scheme| ends(arguments.points.ends.unwrap_or(EndsArgument::Trim), scheme));
     let levels = arguments.points.levels;
     Ok(TensorSurface::new([&across, &along], net, levels, ends, arguments.limit)?)
+}
+
+/// The schemes from row to row and along the rows.
+fn factors(arguments: &SurfaceArguments) -> Result<[Scheme; 2], Failure> {
+    let SchemeArguments { scheme: text, set, arity } = &arguments.scheme;
+    let (across, along) = match (tensor_factors(text), &arguments.across) {
+        (Some(factors), None) => factors.map(|[across, along]| (across, along))?,
+        (Some(_), Some(_)) => {
+            let message = "the scheme from row to row is given twice";
+            return Err(Failure::new(
+                "usage",
+                message,
+                "leave out --across, or the tensor product",
+            ));
+        }
+        (None, Some(across)) => (across.as_str(), text.as_str()),
+        (None, None) if !arguments.set_across.is_empty() => {
+            let message = "--set-across sets parameters of a scheme that is not given";
+            let hint = "say --across SCHEME, or 'tensor(S, T)'; --set is for both directions";
+            return Err(Failure::new("usage", message, hint));
+        }
+        (None, None) => {
+            let scheme = resolve(&arguments.scheme)?;
+            return Ok([scheme.clone(), scheme]);
+        }
+    };
+    Ok([resolve_text(across, *arity, &arguments.set_across)?, resolve_text(along, *arity, set)?])
 }
 
 /// `basis`.

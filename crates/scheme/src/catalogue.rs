@@ -22,6 +22,7 @@ pub struct Entry {
     step: u32,
     last: u32,
     description: &'static str,
+    source: &'static str,
     build: fn(u32) -> Origin,
 }
 
@@ -31,6 +32,8 @@ enum Origin {
     Formula(Laurent<ParameterPolynomial>),
 }
 
+const FAMILIES: &str = "Hameed and Mustafa, Recursive process for constructing the refinement rules of new combined subdivision schemes";
+
 const ENTRIES: [Entry; 5] = [
     Entry {
         letters: "a",
@@ -38,6 +41,7 @@ const ENTRIES: [Entry; 5] = [
         step: 2,
         last: 2 * LARGEST_N + 2,
         description: "the relaxed (2N+2)-point schemes with parameter alpha",
+        source: FAMILIES,
         build: |points| Origin::Recursion(even_family((points - 2) / 2)),
     },
     Entry {
@@ -46,6 +50,7 @@ const ENTRIES: [Entry; 5] = [
         step: 2,
         last: 2 * LARGEST_N + 3,
         description: "the relaxed (2N+3)-point schemes with parameters alpha and beta",
+        source: FAMILIES,
         build: |points| Origin::Recursion(odd_family((points - 3) / 2)),
     },
     Entry {
@@ -54,6 +59,7 @@ const ENTRIES: [Entry; 5] = [
         step: 2,
         last: 2 * LARGEST_N + 4,
         description: "the interpolatory (2N+4)-point schemes with parameter beta",
+        source: FAMILIES,
         build: |points| Origin::Recursion(interpolatory_family((points - 4) / 2)),
     },
     Entry {
@@ -62,6 +68,7 @@ const ENTRIES: [Entry; 5] = [
         step: 2,
         last: 2 * LARGEST_N + 2,
         description: "Deslauriers-Dubuc schemes by number of points",
+        source: "Deslauriers and Dubuc 1989",
         build: |points| Origin::Formula(deslauriers_dubuc(points / 2)),
     },
     Entry {
@@ -70,6 +77,7 @@ const ENTRIES: [Entry; 5] = [
         step: 1,
         last: LARGEST_SPLINE,
         description: "B-splines by degree",
+        source: "Schoenberg 1946; Lane and Riesenfeld 1980",
         build: |degree| Origin::Formula(b_spline(degree)),
     },
 ];
@@ -95,6 +103,11 @@ impl Entry {
     /// What the schemes are.
     pub fn description(&self) -> &'static str {
         self.description
+    }
+
+    /// Where they come from.
+    pub fn source(&self) -> &'static str {
+        self.source
     }
 
     fn contains(&self, number: u32) -> bool {

@@ -42,7 +42,7 @@ impl Construction {
     }
 }
 
-const CONSTRUCTIONS: [Construction; 12] = [
+const CONSTRUCTIONS: [Construction; 13] = [
     Construction {
         name: "pseudo",
         signature: "pseudo(m, l)",
@@ -200,7 +200,20 @@ const CONSTRUCTIONS: [Construction; 12] = [
             Mask::of_quotient(scheme.mask().arity(), shifted, &mut budget)
         },
     },
+    Construction {
+        name: TENSOR,
+        signature: "tensor(SCHEME, SCHEME)",
+        description: "a(z) b(w) for nets: the first from row to row, the second along the rows",
+        source: "-",
+        build: |_, _| {
+            let hint = "`surface` refines nets with it; all else is said of its two factors";
+            Err(Diagnostic::new("construction", "a tensor product has a symbol in two variables")
+                .with_hint(hint))
+        },
+    },
 ];
+
+const TENSOR: &str = "tensor";
 
 /// All constructions.
 ///
@@ -214,12 +227,33 @@ pub fn constructions() -> &'static [Construction] {
     &CONSTRUCTIONS
 }
 
+/// The texts of the schemes `S` and `T` in `tensor(S, T)`: from row to row, and along the rows; `None` if the
+/// text is not of this form.
+///
+/// # Errors
+/// Code `construction` for another number of schemes.
+///
+/// ```
+/// use refinable_scheme::tensor_factors;
+/// let factors = tensor_factors("tensor(jspline(1, 2), dd4)").unwrap().unwrap();
+/// assert_eq!(factors, ["jspline(1, 2)", "dd4"]);
+/// assert!(tensor_factors("dd4").is_none());
+/// ```
+pub fn tensor_factors(text: &str) -> Option<Result<[&str; 2], Diagnostic>> {
+    let (name, arguments) = call(text.trim())?;
+    (name == TENSOR).then(|| two(&arguments, "tensor(SCHEME, SCHEME)"))
+}
+
+/// The name and the arguments of `NAME(…)`.
+fn call(text: &str) -> Option<(&str, Vec<&str>)> {
+    let (name, rest) = text.split_once('(')?;
+    Some((name.trim(), arguments(rest.strip_suffix(')')?)?))
+}
+
 /// The mask that `NAME(…)` makes; `None` if the text is no such thing.
 pub(crate) fn constructed(text: &str, depth: usize) -> Option<Result<Mask, Diagnostic>> {
-    let (name, rest) = text.split_once('(')?;
-    let inside = rest.strip_suffix(')')?;
-    let construction = CONSTRUCTIONS.iter().find(|c| c.name == name.trim())?;
-    let arguments = arguments(inside)?;
+    let (name, arguments) = call(text)?;
+    let construction = CONSTRUCTIONS.iter().find(|c| c.name == name)?;
     if depth >= DEEPEST {
         let message = format!("constructions are nested deeper than {DEEPEST} levels");
         return Some(Err(Diagnostic::new("budget", message)));

@@ -51,7 +51,7 @@ mod scheme;
 mod substitution;
 
 pub use catalogue::{Entry, catalogue};
-pub use construction::{Construction, constructions};
+pub use construction::{Construction, constructions, tensor_factors};
 pub use derivation::{Derivation, Points, Step, Vectors, Weight};
 pub use diagnostic::Diagnostic;
 pub use displacement::{even_family, interpolatory_family, odd_family};
