@@ -5,7 +5,8 @@ use std::collections::BTreeMap;
 use schemars::generate::SchemaSettings;
 use schemars::transform::RecursiveTransform;
 use schemars::{JsonSchema, Schema};
-use serde::Deserialize;
+use serde::de::Error;
+use serde::{Deserialize, Deserializer};
 use serde_json::Value;
 
 use crate::diagnostic::Diagnostic;
@@ -35,6 +36,7 @@ pub struct Expectation {
     /// The same mask, in any notation.
     pub mask: Option<String>,
     /// The first and the last index of the mask.
+    #[serde(default, deserialize_with = "two_ends")]
     pub support: Option<[i64; 2]>,
     /// All words that hold: `primal`, `dual`, `interpolatory`, `approximating`, `combined`, `relaxed`.
     #[serde(rename = "type")]
@@ -51,6 +53,14 @@ pub struct Expectation {
     pub holder: Option<String>,
     /// Where C^n holds over the one parameter that is free.
     pub range: Option<ExpectedRange>,
+}
+
+/// TOML's reader of pairs passes over what is too much.
+fn two_ends<'de, D: Deserializer<'de>>(reader: D) -> Result<Option<[i64; 2]>, D::Error> {
+    let ends = Vec::<i64>::deserialize(reader)?;
+    let count = ends.len();
+    let pair = ends.try_into().map_err(|_| D::Error::invalid_length(count, &"two indices"))?;
+    Ok(Some(pair))
 }
 
 /// Where C^n holds over one parameter.
@@ -159,6 +169,9 @@ fn plain(schema: &mut Schema) {
         return;
     };
     fields.shift_remove("format");
+    if fields.get("default").is_some_and(Value::is_null) {
+        fields.shift_remove("default");
+    }
     if let Some(types) = fields.get_mut("type")
         && let Some([only, Value::String(null)]) = types.as_array().map(Vec::as_slice)
         && null == "null"
