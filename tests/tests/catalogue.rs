@@ -23,7 +23,7 @@ fn the_catalogue_is_as_its_sources_say() {
     let files = files();
     assert!(files.len() >= 25, "{}", files.len());
     for (path, file) in files {
-        assert!(file.source.is_some(), "{path}");
+        assert!(file.scheme.source().is_some(), "{path}");
         let checked = check(&file).unwrap();
         assert!(!checked.is_empty(), "{path} expects nothing");
         for c in checked {

@@ -177,6 +177,19 @@ pub enum Command {
         #[command(flatten)]
         scheme: SchemeArguments,
     },
+    /// Write a scheme as code of another program, or as LaTeX, with exact coefficients
+    Export {
+        #[command(flatten)]
+        scheme: SchemeArguments,
+        /// The language
+        #[arg(long, value_enum, value_name = "LANGUAGE")]
+        to: Target,
+        /// Where to write it; to standard output if left out
+        #[arg(long, short, value_name = "FILE")]
+        output: Option<PathBuf>,
+    },
+    /// Print the JSON Schema of scheme files, for editors
+    Schema,
     /// Check certificates: exit code 0 valid, 1 invalid, 2 unreadable
     Verify {
         /// The files
@@ -400,6 +413,21 @@ pub struct SchemeArguments {
     /// The arity of an inline mask or symbol
     #[arg(long, value_name = "M", default_value_t = 2, value_parser = clap::value_parser!(u32).range(2..=64))]
     pub arity: u32,
+}
+
+/// The languages to which schemes are exported.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Target {
+    /// Python with SymPy
+    Sympy,
+    /// The Wolfram Language
+    Mathematica,
+    /// Maple
+    Maple,
+    /// MATLAB with its Symbolic Math Toolbox; plain MATLAB or Octave if there is no parameter
+    Matlab,
+    /// Formulas in LaTeX, for amsmath
+    Latex,
 }
 
 /// Which map, and how fine.

@@ -11,16 +11,16 @@ use refinable_analysis::{Budget, Fineness, Map, Options, Sharpness, continuity_a
 use refinable_certificate::{Certificate, MAP_FORMAT, MapCertificate, verify, verify_map};
 use refinable_papers::{Claims, Paper, Table};
 use refinable_report::{
-    Audit, CERTIFICATES, CertificateStore, Checked, Effort, FamilyMaps, HolderMap, MapStore, Maps,
-    Quantity, Scan, Site, Sweep, analyze, check, check_json, compare, degree_table, expected_file,
-    norm_table, proof_text, range_table, regularity_table, report_site, rule_picture, schemes,
-    sharp_range, sharp_range_table, show,
+    Audit, CERTIFICATES, CertificateStore, Checked, Effort, FamilyMaps, HolderMap, Language,
+    MapStore, Maps, Quantity, Scan, Site, Sweep, analyze, check, check_json, compare, degree_table,
+    expected_file, export, norm_table, proof_text, range_table, regularity_table, report_site,
+    rule_picture, schemes, sharp_range, sharp_range_table, show,
 };
 use refinable_scheme::{Scheme, SchemeFile, Substitution};
 
 use crate::arguments::{
     Arguments, AuditArguments, Command, Format, FormatArgument, MapArguments, Mapped, ReportAction,
-    SchemeArguments, What,
+    SchemeArguments, Target, What,
 };
 use crate::failure::Failure;
 use crate::files::Image;
@@ -128,11 +128,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         Command::Interproximate(arguments) => drawing::interproximate(arguments)?,
         Command::Certify { scheme, continuity, output } => {
             let certificate = certify(&resolve(scheme)?, *continuity)?;
-            let text = format!("{}\n", certificate.to_json());
-            match output {
-                Some(path) => files::write_file(path, text.as_bytes())?,
-                None => output::print_text(&text)?,
-            }
+            write_text(output.as_deref(), &format!("{}\n", certificate.to_json()))?;
         }
         Command::Analyze { scheme, format } => {
             output::print(&analyze(&resolve(scheme)?), format.format)?;
@@ -144,6 +140,18 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         }
         Command::Check { files, format } => return check_files(files, format.format),
         Command::Expect { scheme } => output::print_text(&expected_file(&resolve(scheme)?))?,
+        Command::Export { scheme, to, output } => {
+            let language = match to {
+                Target::Sympy => Language::SymPy,
+                Target::Mathematica => Language::Mathematica,
+                Target::Maple => Language::Maple,
+                Target::Matlab => Language::Matlab,
+                Target::Latex => Language::Latex,
+            };
+            let code = export(&resolve(scheme)?, &scheme.set, language);
+            write_text(output.as_deref(), &code)?;
+        }
+        Command::Schema => output::print_text(&SchemeFile::json_schema())?,
         Command::Verify { files } => return verify_files(files),
         Command::Norm { scheme, continuity, level, format } => {
             let scheme = resolve(scheme)?;
@@ -163,6 +171,14 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         Command::Report { action } => return report(action),
     }
     Ok(ExitCode::SUCCESS)
+}
+
+/// Writes text to a file, or prints it.
+fn write_text(path: Option<&Path>, text: &str) -> Result<(), Failure> {
+    match path {
+        Some(path) => files::write_file(path, text.as_bytes()),
+        None => output::print_text(text),
+    }
 }
 
 /// The scheme that was typed, with what was set.

@@ -1,11 +1,11 @@
 //! LaTeX for exact quantities.
 
-use std::cmp::Ordering;
-
 use refinable_algebra::{
-    Monomial, Ordered, ParameterFraction, ParameterPolynomial, Rational, Ring, integer,
+    Ordered, Parameter, ParameterFraction, ParameterPolynomial, Rational, Ring, integer,
 };
 use refinable_reals::{Bound, ExactForm, Radical, RealAlgebraic, Region};
+
+use crate::dialect::Dialect;
 
 /// The names of the Greek letters that LaTeX has commands for.
 const GREEK: [&str; 23] = [
@@ -14,9 +14,14 @@ const GREEK: [&str; 23] = [
     "omega",
 ];
 
+/// Whether the name is a Greek letter's, in small letters.
+pub fn is_greek(name: &str) -> bool {
+    GREEK.contains(&name)
+}
+
 /// A parameter's name in math mode: `\alpha`, `w`, `\mathit{tension}`.
 pub fn name(name: &str) -> String {
-    if GREEK.contains(&name) {
+    if is_greek(name) {
         format!("\\{name}")
     } else if name.chars().count() == 1 {
         name.to_string()
@@ -34,44 +39,41 @@ pub fn rational(x: &Rational) -> String {
     format!("{sign}\\frac{{{}}}{{{}}}", x.numer().absolute(), x.denom())
 }
 
-/// A polynomial, constant term first, as masks are printed.
-pub fn polynomial(p: &ParameterPolynomial) -> String {
-    let mut terms: Vec<(&Monomial, &Rational)> = p.terms().rev().collect();
-    terms.sort_by_key(|(m, _)| m.degree());
-    let mut text = String::new();
-    for (m, c) in terms {
-        let sign = match (text.is_empty(), c.compare_to_zero() == Ordering::Less) {
-            (true, false) => "",
-            (false, false) => "+",
-            (_, true) => "-",
-        };
-        let size = c.absolute();
-        text.push_str(sign);
-        if m.degree() == 0 || size != Rational::from(integer(1)) {
-            text.push_str(&rational(&size));
-        }
-        text.push_str(&monomial(m));
+/// LaTeX in math mode.
+struct Latex;
+
+impl Dialect for Latex {
+    const SIGNS: [&str; 2] = ["+", "-"];
+
+    fn name(&self, parameter: &Parameter) -> String {
+        name(parameter.name())
     }
-    if text.is_empty() { "0".into() } else { text }
+
+    fn number(&self, size: &Rational, _alone: bool) -> String {
+        rational(size)
+    }
+
+    fn power(&self, base: &str, exponent: u32) -> String {
+        format!("{base}^{{{exponent}}}")
+    }
+
+    fn product(&self, number: Option<String>, powers: &[String]) -> String {
+        format!("{}{}", number.unwrap_or_default(), powers.join(" "))
+    }
+
+    fn quotient(&self, top: &str, bottom: &str) -> String {
+        format!("\\frac{{{top}}}{{{bottom}}}")
+    }
 }
 
-fn monomial(m: &Monomial) -> String {
-    let power = |(p, e): &(refinable_algebra::Parameter, u32)| match e {
-        1 => name(p.name()),
-        _ => format!("{}^{{{e}}}", name(p.name())),
-    };
-    let factors: Vec<String> = m.factors().iter().map(power).collect();
-    factors.join(" ")
+/// A polynomial, constant term first, as masks are printed.
+pub fn polynomial(p: &ParameterPolynomial) -> String {
+    Latex.polynomial(p)
 }
 
 /// A fraction of polynomials.
 pub fn fraction(f: &ParameterFraction) -> String {
-    match f.as_polynomial() {
-        Some(p) => polynomial(p),
-        None => {
-            format!("\\frac{{{}}}{{{}}}", polynomial(f.numerator()), polynomial(f.denominator()))
-        }
-    }
+    Latex.fraction(f)
 }
 
 /// A real algebraic number; `variable` names the unknown of `root(POLY, k)`.
@@ -186,7 +188,7 @@ fn formula(text: &str) -> Option<String> {
             continue;
         }
         if !word.is_empty() {
-            let known = GREEK.contains(&word.as_str()) || word.len() == 1;
+            let known = is_greek(&word) || word.len() == 1;
             math.push_str(&known.then(|| name(&word))?);
             math.push(' ');
             rest = &rest[word.len()..];
@@ -224,7 +226,7 @@ fn formula(text: &str) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use refinable_algebra::{Parameter, rational as q};
+    use refinable_algebra::rational as q;
 
     #[test]
     fn polynomials_and_fractions() {

@@ -12,6 +12,7 @@
 //! | `curve`, `surface`, `basis` | [`Curve`], [`TensorSurface`], [`Basis`]: refined points, limits, as data and as SVG |
 //! | `compare`, `analyze` | schemes side by side; one scheme on a page |
 //! | `expect` | [`check`]: what scheme files expect, against what is found |
+//! | `export` | [`export()`]: a scheme in another [`Language`]; `dialect`: how languages write polynomials |
 //! | `interproximate` | [`Assignment`]: tensions at every control point |
 //! | `mesh` | [`Mesh`]: surfaces as OBJ, PLY and STL |
 //! | `rule_picture` | sketches of stencils |
@@ -33,7 +34,9 @@ mod canvas;
 mod compare;
 mod curve;
 mod degrees;
+mod dialect;
 mod expect;
+mod export;
 mod families;
 mod figures;
 mod frame;
@@ -69,6 +72,7 @@ pub use compare::compare;
 pub use curve::{Curve, CurveOptions, extrapolation};
 pub use degrees::degree_table;
 pub use expect::{Checked, check, check_json, expected_file};
+pub use export::{Language, export};
 pub use families::{FamilyMaps, MapStore};
 pub use grid::{Cell, Document, Grid};
 pub use interproximate::{

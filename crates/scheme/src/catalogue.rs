@@ -121,11 +121,13 @@ impl Entry {
     }
 }
 
-/// The mask of a name, and its derivation if it has one.
+/// The row of a name, the mask, and its derivation if it has one.
 ///
 /// # Errors
 /// `unknown-scheme`, listing the catalogue and the nearest spelling; `budget` beyond its end.
-pub(crate) fn look_up(name: &str) -> Result<(Mask, Option<Derivation>), Diagnostic> {
+pub(crate) fn look_up(
+    name: &str,
+) -> Result<(&'static Entry, Mask, Option<Derivation>), Diagnostic> {
     let (letters, digits) = split(name);
     let number = canonical(digits).ok_or_else(|| unknown(name))?;
     let mut rows = ENTRIES.iter().filter(|row| row.letters == letters);
@@ -136,7 +138,9 @@ pub(crate) fn look_up(name: &str) -> Result<(Mask, Option<Derivation>), Diagnost
     };
     let row = row.ok_or_else(|| unknown(name))?;
     match number.filter(|number| *number <= row.last) {
-        Some(number) => built((row.build)(number)),
+        Some(number) => {
+            built((row.build)(number)).map(|(mask, derivation)| (row, mask, derivation))
+        }
         None => Err(beyond_end(row)),
     }
 }

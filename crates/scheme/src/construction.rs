@@ -21,7 +21,7 @@ pub struct Construction {
     name: &'static str,
     signature: &'static str,
     description: &'static str,
-    source: &'static str,
+    source: Option<&'static str>,
     build: fn(&[&str], usize) -> Result<Mask, Diagnostic>,
 }
 
@@ -36,8 +36,8 @@ impl Construction {
         self.description
     }
 
-    /// Where it comes from.
-    pub fn source(&self) -> &'static str {
+    /// Where it comes from, if it is not obvious.
+    pub fn source(&self) -> Option<&'static str> {
         self.source
     }
 }
@@ -47,7 +47,7 @@ const CONSTRUCTIONS: [Construction; 13] = [
         name: "pseudo",
         signature: "pseudo(m, l)",
         description: "primal pseudo-spline: 2 σ^m Σ_{j≤l} C(m-1+j, j) δ^j",
-        source: "Dong and Shen 2007",
+        source: Some("Dong and Shen 2007"),
         build: |arguments, _| {
             let [m, l] = whole_numbers(arguments)?;
             pseudo_spline(m, l, false)
@@ -57,7 +57,7 @@ const CONSTRUCTIONS: [Construction; 13] = [
         name: "dualpseudo",
         signature: "dualpseudo(m, l)",
         description: "dual pseudo-spline: σ^m (1 + 1/z) Σ_{j≤l} C(m-1/2+j, j) δ^j",
-        source: "Dyn, Hormann, Sabin and Shen 2008",
+        source: Some("Dyn, Hormann, Sabin and Shen 2008"),
         build: |arguments, _| {
             let [m, l] = whole_numbers(arguments)?;
             pseudo_spline(m, l, true)
@@ -67,7 +67,7 @@ const CONSTRUCTIONS: [Construction; 13] = [
         name: "hormannsabin",
         signature: "hormannsabin(k)",
         description: "cubic precision: (1+z)^k (1 + k/2 δ), normalised and centred",
-        source: "Hormann and Sabin 2008",
+        source: Some("Hormann and Sabin 2008"),
         build: |arguments, _| {
             let [k] = whole_numbers(arguments)?;
             pseudo_spline(k / 2, 1, k % 2 == 1)
@@ -77,7 +77,7 @@ const CONSTRUCTIONS: [Construction; 13] = [
         name: "jspline",
         signature: "jspline(s), jspline(a, b)",
         description: "J-spline: vertex [a, 8-2a, a]/8, edge [b-1, 9-b, 9-b, b-1]/16, a = b = s",
-        source: "Rossignac and Schaefer 2009",
+        source: Some("Rossignac and Schaefer 2009"),
         build: |arguments, _| match arguments {
             [s] => j_spline(s, s),
             [a, b] => j_spline(a, b),
@@ -88,7 +88,7 @@ const CONSTRUCTIONS: [Construction; 13] = [
         name: "fourpoint",
         signature: "fourpoint(w)",
         description: "interpolatory four-point scheme with tension",
-        source: "Dyn, Gregory and Levin 1987",
+        source: Some("Dyn, Gregory and Levin 1987"),
         build: |arguments, _| {
             let [w] = expressions(arguments, "fourpoint(w)")?;
             Mask::parse(&format!("even: [1]; odd: [-{w}, 1/2+{w}, 1/2+{w}, -{w}]"), 2)
@@ -98,7 +98,7 @@ const CONSTRUCTIONS: [Construction; 13] = [
         name: "sixpoint",
         signature: "sixpoint(w)",
         description: "interpolatory six-point scheme with tension, of cubic precision",
-        source: "Weissman 1990",
+        source: Some("Weissman 1990"),
         build: |arguments, _| {
             let [w] = expressions(arguments, "sixpoint(w)")?;
             let half = format!("{w}, -1/16-3*{w}, 9/16+2*{w}");
@@ -110,7 +110,7 @@ const CONSTRUCTIONS: [Construction; 13] = [
         name: "dualfourpoint",
         signature: "dualfourpoint(w)",
         description: "dual four-point scheme with tension; of fourth order accuracy at w = 1/128",
-        source: "Dyn, Floater and Hormann 2005",
+        source: Some("Dyn, Floater and Hormann 2005"),
         build: |arguments, _| {
             let [w] = expressions(arguments, "dualfourpoint(w)")?;
             let weights =
@@ -123,7 +123,7 @@ const CONSTRUCTIONS: [Construction; 13] = [
         name: "ternaryfourpoint",
         signature: "ternaryfourpoint(mu)",
         description: "ternary interpolatory four-point scheme",
-        source: "Hassan, Ivrissimtzis, Dodgson and Sabin 2002",
+        source: Some("Hassan, Ivrissimtzis, Dodgson and Sabin 2002"),
         build: |arguments, _| {
             let [mu] = expressions(arguments, "ternaryfourpoint(mu)")?;
             let weights = [
@@ -141,7 +141,7 @@ const CONSTRUCTIONS: [Construction; 13] = [
         name: "smooth",
         signature: "smooth(SCHEME, k)",
         description: "k averagings after the refinement: a(z) ((1+…+z^(m-1))/m)^k, centred",
-        source: "Lane and Riesenfeld 1980; refine and smooth",
+        source: Some("Lane and Riesenfeld 1980; refine and smooth"),
         build: |arguments, depth| {
             let [scheme, k] = two(arguments, "smooth(SCHEME, k)")?;
             smoothed(&resolved(scheme, depth)?, whole_number(k)?)
@@ -151,7 +151,7 @@ const CONSTRUCTIONS: [Construction; 13] = [
         name: "convolve",
         signature: "convolve(SCHEME, SCHEME)",
         description: "a(z) b(z)/m: the basic limit functions are convolved",
-        source: "Dyn and Levin 2002",
+        source: Some("Dyn and Levin 2002"),
         build: |arguments, depth| {
             let [a, b] = two(arguments, "convolve(SCHEME, SCHEME)")?;
             let (a, b) = (resolved(a, depth)?, resolved(b, depth)?);
@@ -167,7 +167,7 @@ const CONSTRUCTIONS: [Construction; 13] = [
         name: "combine",
         signature: "combine(SCHEME, SCHEME, w)",
         description: "(1-w) a(z) + w b(z)",
-        source: "for instance Li and Zheng 2013: the cubic spline and the four-point scheme",
+        source: Some("for instance Li and Zheng 2013: the cubic spline and the four-point scheme"),
         build: |arguments, depth| {
             let [a, b, w] = arguments else {
                 return Err(wrong_count("combine(SCHEME, SCHEME, w)"));
@@ -186,7 +186,7 @@ const CONSTRUCTIONS: [Construction; 13] = [
         name: "shift",
         signature: "shift(SCHEME, k)",
         description: "z^k a(z): the same scheme with other indices",
-        source: "-",
+        source: None,
         build: |arguments, depth| {
             let [scheme, k] = two(arguments, "shift(SCHEME, k)")?;
             let k: i64 = k.trim().parse().map_err(|_| not_whole(k))?;
@@ -204,7 +204,7 @@ const CONSTRUCTIONS: [Construction; 13] = [
         name: TENSOR,
         signature: "tensor(SCHEME, SCHEME)",
         description: "a(z) b(w) for nets: the first from row to row, the second along the rows",
-        source: "-",
+        source: None,
         build: |_, _| {
             let hint = "`surface` refines nets with it; all else is said of its two factors";
             Err(Diagnostic::new("construction", "a tensor product has a symbol in two variables")
@@ -250,15 +250,20 @@ fn call(text: &str) -> Option<(&str, Vec<&str>)> {
     Some((name.trim(), arguments(rest.strip_suffix(')')?)?))
 }
 
-/// The mask that `NAME(…)` makes; `None` if the text is no such thing.
-pub(crate) fn constructed(text: &str, depth: usize) -> Option<Result<Mask, Diagnostic>> {
+/// What `NAME(…)` is made by, and the mask that it makes; `None` if the text is no such thing.
+pub(crate) fn constructed(
+    text: &str,
+    depth: usize,
+) -> Option<(&'static Construction, Result<Mask, Diagnostic>)> {
     let (name, arguments) = call(text)?;
     let construction = CONSTRUCTIONS.iter().find(|c| c.name == name)?;
-    if depth >= DEEPEST {
+    let mask = if depth < DEEPEST {
+        (construction.build)(&arguments, depth + 1)
+    } else {
         let message = format!("constructions are nested deeper than {DEEPEST} levels");
-        return Some(Err(Diagnostic::new("budget", message)));
-    }
-    Some((construction.build)(&arguments, depth + 1))
+        Err(Diagnostic::new("budget", message))
+    };
+    Some((construction, mask))
 }
 
 /// The parts between the commas that are in no brackets; `None` if the brackets do not match.

@@ -2,7 +2,12 @@
 
 use std::collections::BTreeMap;
 
-use serde::Deserialize;
+use schemars::generate::SchemaSettings;
+use schemars::transform::RecursiveTransform;
+use schemars::{JsonSchema, Schema};
+use serde::de::Error;
+use serde::{Deserialize, Deserializer};
+use serde_json::Value;
 
 use crate::diagnostic::Diagnostic;
 use crate::scheme::Scheme;
@@ -11,10 +16,8 @@ use crate::substitution::Substitution;
 /// A scheme file. The format is in `docs/scheme-files.md`.
 #[derive(Clone, Debug)]
 pub struct SchemeFile {
-    /// The scheme, with the name that the file gives it.
+    /// The scheme, with the name and the source that the file gives it.
     pub scheme: Scheme,
-    /// Where it comes from.
-    pub source: Option<String>,
     /// What the file says about its parameters, for people.
     pub parameters: BTreeMap<String, String>,
     /// What is expected of it.
@@ -22,7 +25,7 @@ pub struct SchemeFile {
 }
 
 /// What is expected of a scheme, after some parameters are set; whatever is left out is not expected.
-#[derive(Clone, PartialEq, Eq, Debug, Default, Deserialize)]
+#[derive(Clone, PartialEq, Eq, Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Expectation {
     /// What is set first, as `alpha=1/8`.
@@ -33,6 +36,7 @@ pub struct Expectation {
     /// The same mask, in any notation.
     pub mask: Option<String>,
     /// The first and the last index of the mask.
+    #[serde(default, deserialize_with = "two_ends")]
     pub support: Option<[i64; 2]>,
     /// All words that hold: `primal`, `dual`, `interpolatory`, `approximating`, `combined`, `relaxed`.
     #[serde(rename = "type")]
@@ -51,8 +55,16 @@ pub struct Expectation {
     pub range: Option<ExpectedRange>,
 }
 
+/// TOML's reader of pairs passes over what is too much.
+fn two_ends<'de, D: Deserializer<'de>>(reader: D) -> Result<Option<[i64; 2]>, D::Error> {
+    let ends = Vec::<i64>::deserialize(reader)?;
+    let count = ends.len();
+    let pair = ends.try_into().map_err(|_| D::Error::invalid_length(count, &"two indices"))?;
+    Ok(Some(pair))
+}
+
 /// Where C^n holds over one parameter.
-#[derive(Clone, PartialEq, Eq, Debug, Deserialize)]
+#[derive(Clone, PartialEq, Eq, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ExpectedRange {
     /// `n`.
@@ -68,19 +80,27 @@ fn yes() -> bool {
     true
 }
 
-/// The file as TOML spells it.
-#[derive(Deserialize)]
+/// A scheme, where it comes from, and what is expected of it.
+#[derive(Deserialize, JsonSchema)]
+#[schemars(title = "Scheme file of Refinable")]
 #[serde(deny_unknown_fields)]
 struct Fields {
+    /// The name under which the scheme is printed.
     name: String,
+    /// The number of new points for each old one, of masks that do not know theirs.
     #[serde(default = "two")]
     arity: usize,
+    /// The scheme in any notation of the command line but a file: a name, a construction, a mask, rules, a symbol.
     mask: String,
+    /// Parameters that are set once and for all, as `w=1/16`.
     #[serde(default)]
     set: Vec<String>,
+    /// Where the scheme comes from.
     source: Option<String>,
+    /// What there is to say about each parameter, for people.
     #[serde(default)]
     parameters: BTreeMap<String, String>,
+    /// What is expected, any number of times.
     #[serde(default)]
     expect: Vec<Expectation>,
 }
@@ -118,10 +138,44 @@ impl SchemeFile {
         }
         let scheme = Scheme::resolve_with(&fields.mask, fields.arity, &substitutions)?;
         Ok(SchemeFile {
-            scheme: Scheme::new(fields.name, scheme.mask().clone()),
-            source: fields.source,
+            scheme: scheme.renamed(fields.name).with_source(fields.source),
             parameters: fields.parameters,
             expectations: fields.expect,
         })
+    }
+
+    /// The JSON Schema, draft 2020-12, of what [`parse`](Self::parse) reads, seen as JSON; with a final newline. It
+    /// knows the fields and their types, not the notation of masks, numbers and settings.
+    pub fn json_schema() -> String {
+        let settings =
+            SchemaSettings::draft2020_12().with(|settings| settings.inline_subschemas = true);
+        let mut generator = settings.with_transform(RecursiveTransform(plain)).into_generator();
+        let mut schema = generator.root_schema_for::<Fields>();
+        // People read the head first.
+        let fields = schema.ensure_object();
+        for key in ["description", "title", "$schema"] {
+            if let Some(value) = fields.shift_remove(key) {
+                fields.shift_insert(0, key.into(), value);
+            }
+        }
+        format!("{:#}\n", schema.to_value())
+    }
+}
+
+/// Takes away what the schema of a type says about Rust and not about files: that something left out is null, which
+/// TOML does not have, and the widths of integers.
+fn plain(schema: &mut Schema) {
+    let Some(fields) = schema.as_object_mut() else {
+        return;
+    };
+    fields.shift_remove("format");
+    if fields.get("default").is_some_and(Value::is_null) {
+        fields.shift_remove("default");
+    }
+    if let Some(types) = fields.get_mut("type")
+        && let Some([only, Value::String(null)]) = types.as_array().map(Vec::as_slice)
+        && null == "null"
+    {
+        *types = only.clone();
     }
 }

@@ -14,18 +14,29 @@ use crate::mask::Mask;
 use crate::normalised::Normalised;
 use crate::substitution::Substitution;
 
-/// A scheme, or a family of schemes, with a name and, where it has one, its derivation.
+/// A scheme, or a family of schemes, with a name and, where they are known, its source and its derivation.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Scheme {
     name: String,
     mask: Normalised,
+    source: Option<String>,
     derivation: Option<Derivation>,
 }
 
 impl Scheme {
-    /// A scheme without a derivation.
+    /// A scheme without a source and a derivation.
     pub fn new(name: impl Into<String>, mask: Normalised) -> Self {
-        Scheme { name: name.into(), mask, derivation: None }
+        Scheme { name: name.into(), mask, source: None, derivation: None }
+    }
+
+    /// The scheme under another name; without its derivation, which is that of the old name.
+    pub(crate) fn renamed(self, name: String) -> Self {
+        Scheme { name, derivation: None, ..self }
+    }
+
+    /// The scheme with a source, or with the one it has if there is no other.
+    pub(crate) fn with_source(self, source: Option<String>) -> Self {
+        Scheme { source: source.or(self.source), ..self }
     }
 
     /// The scheme that `text` means: a name of the [`catalogue`](crate::catalogue()), a construction such as
@@ -64,18 +75,18 @@ impl Scheme {
         if is_name(text) {
             return named(text, arity)?.with(substitutions);
         }
-        let mask = match constructed(text, 0) {
-            Some(made) => made?,
-            None => Mask::parse(text, arity)?,
+        let (mask, source) = match constructed(text, 0) {
+            Some((construction, made)) => (made?, construction.source()),
+            None => (Mask::parse(text, arity)?, None),
         };
         let mask = substituted(&mask, substitutions)?;
-        Ok(Scheme::new(text, Normalised::new(mask)?))
+        Ok(Scheme::new(text, Normalised::new(mask)?).with_source(source.map(String::from)))
     }
 
     /// An argument of a construction: a name, a construction, or a binary mask.
     pub(crate) fn resolve_nested(text: &str, depth: usize) -> Result<Self, Diagnostic> {
         match constructed(text, depth) {
-            Some(mask) => Ok(Scheme::new(text, Normalised::new(mask?)?)),
+            Some((_, mask)) => Ok(Scheme::new(text, Normalised::new(mask?)?)),
             None => Scheme::resolve(text, 2),
         }
     }
@@ -90,13 +101,18 @@ impl Scheme {
         &self.mask
     }
 
+    /// Where the scheme comes from; of a construction or a scheme file, what is said there.
+    pub fn source(&self) -> Option<&str> {
+        self.source.as_deref()
+    }
+
     /// How the mask was derived, if it was.
     pub fn derivation(&self) -> Option<&Derivation> {
         self.derivation.as_ref()
     }
 
     /// The scheme with parameters replaced, in the given order. A value may bring in new parameters,
-    /// and those may be set after it. The name stays; the derivation stays only if nothing is set.
+    /// and those may be set after it. The name and the source stay; the derivation stays only if nothing is set.
     ///
     /// # Errors
     /// `substitution` for a parameter that is set twice, or that neither the scheme nor a value set
@@ -107,7 +123,7 @@ impl Scheme {
             return Ok(self.clone());
         }
         let mask = substituted(&self.mask, substitutions)?;
-        Ok(Scheme::new(self.name.clone(), Normalised::new(mask)?))
+        Ok(Scheme { mask: Normalised::new(mask)?, derivation: None, ..self.clone() })
     }
 }
 
@@ -119,12 +135,13 @@ fn is_name(text: &str) -> bool {
 }
 
 fn named(name: &str, arity: usize) -> Result<Scheme, Diagnostic> {
-    let (mask, derivation) = look_up(name)?;
+    let (row, mask, derivation) = look_up(name)?;
     if arity != mask.arity() {
         let message = format!("`{name}` has arity {}, not {arity}", mask.arity());
         return Err(Diagnostic::new("arity", message));
     }
-    Ok(Scheme { name: name.to_string(), mask: Normalised::new(mask)?, derivation })
+    let source = Some(row.source().to_string());
+    Ok(Scheme { source, derivation, ..Scheme::new(name, Normalised::new(mask)?) })
 }
 
 fn substituted(mask: &Mask, substitutions: &[Substitution]) -> Result<Mask, Diagnostic> {
