@@ -108,6 +108,23 @@ proptest! {
     }
 
     #[test]
+    fn stencils_written_as_rules_are_the_mask(mask in mask()) {
+        let stencil = |stencil: &Stencil| {
+            let weights: Vec<String> = stencil.weights().iter().map(ToString::to_string).collect();
+            let weights = if weights.is_empty() { "0".to_string() } else { weights.join(", ") };
+            format!("[{weights}] @ {}", stencil.first())
+        };
+        let stencils: Vec<String> = mask.rule().stencils().iter().map(stencil).collect();
+        let numbered = |k: usize| format!("{k}: {}", stencils[k]);
+        let rules: Vec<String> = (0..mask.arity()).rev().map(numbered).collect();
+        prop_assert_eq!(&Mask::parse(&rules.join("; "), mask.arity()).unwrap(), &mask);
+        if let [even, odd] = &stencils[..] {
+            let rules = format!("even: {even}; odd: {odd}");
+            prop_assert_eq!(&Mask::parse(&rules, 2).unwrap(), &mask);
+        }
+    }
+
+    #[test]
     fn a_rule_weighs_what_the_mask_says(mask in mask(), e in 0usize..5, j in -12i64..13) {
         prop_assume!(e < mask.arity());
         let rule = mask.rule();
