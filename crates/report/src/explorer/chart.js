@@ -1,6 +1,6 @@
 // ---- chart.js: the map of two parameters, or the ranges of one, with a point that can be moved.
 
-const MARGIN = { left: 50, right: 12, top: 12, bottom: 40 };
+const MARGIN = { left: 64, right: 12, top: 12, bottom: 40 };
 const SHADES = 8;
 const ROW = 34;
 /** Pixels between the bends of an edge that is a curve in the parameters, and how many bends at most. */
@@ -91,12 +91,17 @@ function traced(terms, [[u0, u1], [v0, v1]]) {
   return segments;
 }
 
-/** The chart in an element; `move(floats)` is called while the point is dragged, `step(direction)` for keys. */
-function createChart(element, { move, step }) {
+/** How far a view may be from the whole. */
+const DEEPEST = 1e-5;
+
+/** The chart in an element; `move(floats)` is called while the point is dragged, `step(direction)` and
+    `zoom(factor)` for keys. */
+function createChart(element, { move, step, zoom }) {
   const isPlane = smoothness.kind === "plane";
-  const spans = smoothness.window.map((span) => span.map(parseRational).map(toFloat));
+  const whole = smoothness.window.map((span) => span.map(parseRational).map(toFloat));
+  let spans = whole;
   const pieces = maps.map(floatPieces);
-  const curves = strata.filter((s) => isPlane && s.vanishes).map((s) => traced(s.vanishes, spans));
+  const curves = strata.filter((s) => isPlane && s.vanishes).map((s) => s.vanishes);
   const lines = factor?.map(toFloat);
   let size = { width: 0, height: 0 };
   let shown = null;
@@ -132,9 +137,17 @@ function createChart(element, { move, step }) {
     return all;
   }
 
-  const outline = (polygon) => `M${bent(polygon, true).map(fixed).join("L")}Z`;
+  const isInSight = (places) =>
+    [[0, size.width], [1, size.height]].every(
+      ([k, end]) => places.some((p) => p[k] >= 0) && places.some((p) => p[k] <= end),
+    );
   const pathOf = (pieces, verdict) =>
-    pieces.filter((piece) => piece.verdict === verdict).map((piece) => outline(piece.polygon)).join("");
+    pieces
+      .filter((piece) => piece.verdict === verdict)
+      .map((piece) => bent(piece.polygon, true))
+      .filter(isInSight)
+      .map((places) => `M${places.map(fixed).join("L")}Z`)
+      .join("");
 
   function sectionPaths(map, verdict) {
     return map.sections.flatMap(({ origin, direction, intervals }) => {
@@ -159,6 +172,7 @@ function createChart(element, { move, step }) {
         const covered = maps[k + 1] && reasonsAt(maps[k + 1], exact).some((r) => r.verdict === "proved");
         if (covered) continue;
         const [x, y] = bent([middle], false)[0];
+        if (!isInSight([[x - 20, y - 20], [x + 20, y + 20]])) continue;
         return [svg("text", { class: "label", x, y: y + 5, "text-anchor": "middle" }, order(maps[k].continuity))];
       }
       return [];
@@ -172,7 +186,8 @@ function createChart(element, { move, step }) {
     );
     layers.push(
       ...maps.map((_, k) => svg("path", { class: "undecided", d: pathOf(pieces[k], "undecided") })),
-      ...curves.map((segments) => {
+      ...curves.map((terms) => {
+        const segments = traced(terms, spans);
         const place = ([u, v]) => fixed([across(u), down(v)]);
         const d = segments.map(([p, q]) => `M${place(p)}L${place(q)}`).join("");
         return svg("path", { class: "stratum", d });
@@ -229,7 +244,7 @@ function createChart(element, { move, step }) {
       marks.push(svg("path", { class: "axis", d: `M${MARGIN.left} ${y}h-5` }));
       marks.push(svg("text", { class: "tick", x: MARGIN.left - 8, y: y + 4, "text-anchor": "end" }, text));
     }
-    marks.push(svg("text", { ...name, x: 10, y: MARGIN.top + inner()[1] / 2 }, letter(parameters[1])));
+    marks.push(svg("text", { ...name, x: 8, y: MARGIN.top + inner()[1] / 2 }, letter(parameters[1])));
     return marks;
   }
 
@@ -242,7 +257,7 @@ function createChart(element, { move, step }) {
     svg("circle", { class: "knob", r: 6.5 }),
   );
   const still = svg("svg", { "aria-hidden": "true" });
-  const moving = svg("svg", { class: "moving", "aria-label": "Map of smoothness" }, handle);
+  const moving = svg("svg", { class: "moving", role: "group", "aria-label": "Map of smoothness" }, handle);
   element.append(still, moving);
 
   function placeHandle() {
@@ -289,15 +304,35 @@ function createChart(element, { move, step }) {
   });
   handle.addEventListener("keydown", (event) => {
     const direction = arrowStep(event);
-    if (!direction) return;
+    const factor = { "+": 0.5, "-": 2 }[event.key];
+    if (direction) step(direction);
+    else if (factor) zoom(factor);
+    else return;
     event.preventDefault();
-    step(direction);
   });
 
   drawToWidth(element, draw);
   return {
-    /** The widths of the box. */
-    widths: spans.map(([low, high]) => high - low),
+    /** The part of the box that is seen; null if that is all of it. */
+    view: () => (spans === whole ? null : spans),
+    widths: () => spans.map(([low, high]) => high - low),
+    /** Shows another part, all of the box for null. */
+    look(view) {
+      const isGood = view?.every(([a, b], k) => {
+        const width = whole[k][1] - whole[k][0];
+        return a >= whole[k][0] && b <= whole[k][1] && b - a > DEEPEST * width && b - a < 0.99 * width;
+      });
+      spans = isGood ? view : whole;
+      if (size.width > 0) draw(size.width);
+    },
+    /** The spans around the point that are so many times as wide, within the box. */
+    around: (factor) =>
+      spans.map(([low, high], k) => {
+        const [least, most] = whole[k];
+        const half = Math.max(Math.min(high - low, (most - least) / factor) * factor, DEEPEST * 2 * (most - least)) / 2;
+        const middle = Math.min(Math.max(shown[k], least + half), most - half);
+        return [middle - half, middle + half];
+      }),
     /** Shows a point. */
     show(point) {
       shown = point.map(toFloat);

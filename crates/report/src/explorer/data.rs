@@ -14,7 +14,7 @@ use refinable_analysis::{
     default_window, degrees, interpolating_value, interproximate_tensions, map, region_of,
     regularity,
 };
-use refinable_certificate::{CellVerdict, Conclusion, Node, Section, parts_of_box};
+use refinable_certificate::{CellVerdict, Certificate, Conclusion, Node, Section, parts_of_box};
 use refinable_reals::{Bound, Component, RealAlgebraic, Region, sample_between};
 use refinable_scheme::{Diagnostic, Mask, Scheme};
 use serde_json::{Value, json};
@@ -26,7 +26,7 @@ use crate::interproximate::floored;
 use crate::map::{MOST_ORDERS, because, parse_window, verdict};
 use crate::map_picture::proved_on;
 use crate::regularity::{exact_text, outward};
-use crate::sharp::{proof_text, sharp_range, statement, undecided_because, word, words};
+use crate::sharp::{proof_text, sharp_range, undecided_because, word, words};
 use crate::svg::place;
 
 /// All that the page is told.
@@ -54,7 +54,6 @@ pub(super) fn of(
     Ok(json!({
         "scheme": scheme.name(),
         "words": options.words,
-        "map_words": map_words(options),
         "arity": mask.arity(),
         "parameters": parameters.iter().map(Parameter::name).collect::<Vec<_>>(),
         "mask": mask_data(mask, &parameters),
@@ -65,16 +64,14 @@ pub(super) fn of(
     }))
 }
 
-/// The words by which a command line asks for the same box and fineness.
-fn map_words(options: &ExplorerOptions) -> Vec<String> {
-    let Fineness { undecided, nodes } = &options.fineness;
-    let mut words = Vec::new();
-    if let Some(window) = &options.window {
-        words.extend(["--box".into(), window.clone()]);
-    }
-    if options.fineness != Fineness::default() {
-        words.extend(["--undecided".into(), undecided.to_string()]);
-        words.extend(["--nodes".into(), nodes.to_string()]);
+/// The words by which a command line asks for maps of this box and fineness.
+fn map_words(map: &Map, fineness: &Fineness) -> Vec<String> {
+    let spans = map.plane.parameters().iter().zip(map.window());
+    let spans: Vec<String> = spans.map(|(p, [low, high])| format!("{p}={low}..{high}")).collect();
+    let mut words = vec!["--box".into(), spans.join(",")];
+    if *fineness != Fineness::default() {
+        words.extend(["--undecided".into(), fineness.undecided.to_string()]);
+        words.extend(["--nodes".into(), fineness.nodes.to_string()]);
     }
     words
 }
@@ -186,8 +183,12 @@ fn single(scheme: &Scheme, progress: &dyn Fn(&str)) -> Result<Value, Diagnostic>
         progress(&format!("C^{n}"));
         let (found, certificate) =
             continuity_at(scheme.name(), scheme.mask(), n, &Sharpness::default())?;
-        let proof = proof_text(&certificate);
-        verdicts.push(json!({"continuity": n, "verdict": word(found), "because": proof}));
+        // The one lemma is about the only value: what it consists of tells more.
+        let inside = certificate.lemmas.iter().flat_map(|l| l.inside().unwrap_or_default());
+        let proof = Certificate { lemmas: inside.cloned().collect(), ..certificate.clone() };
+        verdicts.push(json!({
+            "continuity": n, "verdict": word(found), "because": proof_text(&proof),
+        }));
         if found != PointVerdict::Proved {
             break;
         }
@@ -258,7 +259,7 @@ fn range_data(range: &ContinuityRange) -> Value {
     let words = words(&range.certificate);
     let refuted = match words.len() {
         0 => String::new(),
-        _ => format!("words {}", words.join(", ")),
+        _ => format!("words whose products do not shrink: {}", words.join(", ")),
     };
     json!({
         "continuity": range.continuity,
@@ -329,6 +330,7 @@ fn plane(
     let data: Vec<Value> = maps.iter().map(map_data).collect();
     let data = json!({
         "kind": "plane",
+        "words": map_words(&maps[0], &options.fineness),
         "window": window.each_ref().map(|span| texts(span)),
         "factor": plane.factor().map(|l| texts(&[l.coefficient(0), l.coefficient(1)])),
         "order": order,
@@ -404,7 +406,6 @@ fn section(section: &Section) -> Value {
         "origin": coordinates(&section.origin),
         "direction": coordinates(&section.direction),
         "intervals": parts,
-        "text": statement(&section.certificate),
     })
 }
 

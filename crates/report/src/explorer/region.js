@@ -101,6 +101,17 @@ function parameterOnSection({ origin, direction }, point) {
   return there ? t : null;
 }
 
+/** The power of 1 + z that C^n needs, or of its counterpart for another arity. */
+const neededPower = (n) => `(1 + z${arity > 2 ? ` + … + z${raised(arity - 1)}` : ""})${raised(n + 1)}`;
+
+function sectionText(n, { origin, direction }, interval) {
+  const [start, way] = [origin, direction].map((p) => `(${p.map(toText).join(", ")})`);
+  const divides = `where ${neededPower(n)} divides the symbol`;
+  if (direction.every(isZero)) return `at the only point ${divides}, (x, y) = ${start}`;
+  const part = interval ? `, t in ${interval.text}` : "";
+  return `on the line ${divides}, (x, y) = ${start} + t ${way}${part}`;
+}
+
 /** What is proved on the lines beyond the order. */
 function verdictOnSections(map, point) {
   for (const section of map.sections) {
@@ -108,33 +119,33 @@ function verdictOnSections(map, point) {
     if (t === null) continue;
     const interval = section.intervals.find((interval) => isInside(t, interval));
     const verdict = interval?.verdict ?? "undecided";
-    return { verdict, because: `on a line of its own: ${section.text}` };
+    return { verdict, because: sectionText(map.continuity, section, interval) };
   }
-  return { verdict: "undecided", because: "a higher power of 1 + z divides here; nothing is proved" };
+  return { verdict: "undecided", because: `${neededPower(map.continuity)} divides the symbol here; nothing is proved` };
 }
 
 const REASONS = {
-  norm: "in a piece where a norm is below 1",
-  division: "in a piece where 1 + z does not divide so often",
-  "": "in a piece that no proof was found for",
+  norm: () => "in a piece where a norm is below 1",
+  division: (n) => `in a piece where ${neededPower(n)} does not divide the symbol`,
+  "": () => "in a piece for which no proof was found",
 };
-const reasonText = (because) => REASONS[because] ?? `in a piece decided by ${because}`;
+const reasonText = (n, because) => REASONS[because]?.(n) ?? `in a piece decided by ${because}`;
 
 function verdictOnMap(map, point, isStable) {
   const reasons = reasonsAt(map, point);
   const proved = reasons.find((reason) => reason.verdict === "proved");
-  if (proved) return { verdict: "proved", because: reasonText(proved.because) };
+  if (proved) return { verdict: "proved", because: reasonText(map.continuity, proved.because) };
   if (map.divisible?.every((c) => isZero(evaluate(c, point)))) return verdictOnSections(map, point);
   const refuting = reasons.filter((reason) => reason.verdict === "refuted");
   const refuted = refuting.find((reason) => !reason.if_stable || isStable());
   if (refuted) {
     const stable = refuted.if_stable ? "; the shifts are stable here" : "";
-    return { verdict: "refuted", because: reasonText(refuted.because) + stable };
+    return { verdict: "refuted", because: reasonText(map.continuity, refuted.because) + stable };
   }
   if (refuting.length > 0) {
     return { verdict: "undecided", because: "refuted around here, but the shifts may be unstable" };
   }
-  const because = reasons.length > 0 ? reasonText("") : "outside of the box that was mapped";
+  const because = reasons.length > 0 ? reasonText(map.continuity, "") : "outside of the box that was mapped";
   return { verdict: "undecided", because };
 }
 

@@ -2,7 +2,7 @@
 
 /** The polygon at the beginning: a bracket with corners, straight edges and a notch. */
 const BRACKET = [[0, 0], [4, 0], [5, 5], [4, 10], [0, 10], [0, 8], [1, 8], [2, 5], [1, 2], [0, 2]];
-const GRIDS = [16, 32, 64, 100, 128, 256, 512, 1000, 1024, 2048, 4096];
+const GRIDS = [16, 32, 64, 100, 128, 256, 512, 1000, 1024, 2048, 4096, 16384, 65536, 1048576, 16777216];
 const MOST_LEVELS = 8;
 /** Combs and limits need points close together, whatever level is shown. */
 const COMB_LEVEL = 6;
@@ -11,10 +11,10 @@ const MOST_VERTICES = 200;
 const interpolating = data.interpolating.values?.map(parseRational);
 const start = data.start.map(parseRational);
 
-/** A grid on which the point moves by about a two-hundredth of the box. */
-function defaultGrid(chart) {
+/** A grid on which the point moves by less than a two-hundredth of what is seen. */
+function fittingGrid(chart) {
   if (!chart) return GRIDS[0];
-  const fine = 200 / Math.min(...chart.widths);
+  const fine = 200 / Math.min(...chart.widths());
   return GRIDS.find((count) => count >= fine) ?? GRIDS[GRIDS.length - 1];
 }
 
@@ -37,6 +37,7 @@ function toHash() {
   const entries = {
     at: state.point.map(toText).join(","),
     grid: state.grid,
+    view: (chart?.view() ?? []).map((span) => span.join(",")).join(";"),
     points: state.points.map((p) => p.join(",")).join(";"),
     interpolate: tags.join(","),
     closed: state.closed ? 1 : 0,
@@ -55,14 +56,16 @@ function fromHash(hash) {
   const at = text("at").split(",").map(parseRational);
   if (at.length === parameters.length && at.every((x) => x)) state.point = at;
   if (GRIDS.includes(Number(text("grid")))) state.grid = Number(text("grid"));
+  const view = text("view").split(";").map((span) => span.split(",").map(Number));
+  chart?.look(view.length === parameters.length ? view : null);
   const points = text("points").split(";").map((p) => p.split(",").map(Number));
   const isPolygon = points.every((p) => p.length === 2 && p.every((x) => Math.abs(x) <= 1e6));
   if (isPolygon && points.length >= 2 && points.length <= MOST_VERTICES) {
     state.points = points.map((p) => p.map(rounded));
-    const tagged = interpolating ? text("interpolate").split(",") : [];
-    state.tags = points.map((_, i) => (tagged.includes(`${i}`) ? 1 : 0));
     state.selected = 0;
   }
+  const tagged = interpolating ? text("interpolate").split(",") : [];
+  state.tags = state.points.map((_, i) => (tagged.includes(`${i}`) ? 1 : 0));
   if (entries.has("closed")) state.closed = text("closed") === "1";
   const levels = Number(text("levels"));
   if (entries.has("levels") && Number.isInteger(levels) && levels >= 0 && levels <= MOST_LEVELS) {
@@ -78,9 +81,10 @@ const quoted = (word) =>
   /^[\w@%+=:,./-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`;
 const command = (...words) => ["refinable", ...words].map(quoted).join(" ");
 const assigned = (values) => parameters.map((name, k) => `${name}=${toText(values[k])}`);
+const spelled = (values) => parameters.map((name, k) => `${letter(name)} = ${typeset(toText(values[k]))}`).join(", ");
 const settings = () => assigned(state.point).flatMap((setting) => ["--set", setting]);
 
-function curveCommand() {
+function curveCommand(hasComb) {
   const points = `printf '%s\\n' ${state.points.map((p) => p.join(",")).join(" ")}`;
   const levels = ["-l", `${state.levels}`, "-o", "curve.svg"];
   const closed = state.closed ? ["--closed"] : [];
@@ -92,16 +96,16 @@ function curveCommand() {
     return `${points} | ${command("interproximate", ...data.words, ...closed, ...interpolate, ...members, ...levels)}`;
   }
   const ends = state.closed ? closed : ["--ends", "reflect"];
-  const comb = state.comb ? ["--comb"] : [];
+  const comb = hasComb ? ["--comb"] : [];
   return `${points} | ${command("curve", ...data.words, ...settings(), ...ends, ...comb, ...levels)}`;
 }
 
-function certifyCommand() {
-  if (smoothness.kind === "plane") {
-    const last = maps[maps.length - 1].continuity;
-    return command("map", ...data.words, ...data.map_words, "-n", `0..${last}`, "-o", "map.svg");
-  }
-  return command("certify", ...data.words, "-n", "0");
+/** Makes the certificate of an order again, the same as was used here. */
+function certifyCommand(n) {
+  const file = `C${n}.json`;
+  return smoothness.kind === "plane"
+    ? command("map", ...data.words, ...smoothness.words, "-n", `${n}`, "--certificate", file)
+    : command("certify", ...data.words, "-n", `${n}`, "-o", file);
 }
 
 // ---- Mask and rules.
@@ -128,15 +132,17 @@ function maskText(member) {
 }
 
 function ruleElement({ first, weights }, e) {
-  const index = (k) => (k === 0 ? "i" : typeset(`i${k > 0 ? "+" : ""}${k}`));
-  const row = html("p", { class: "formula" }, "f′", html("sub", {}, `${arity}i${e > 0 ? `+${e}` : ""}`), " =");
+  const place = (k) => (k === 0 ? "i" : typeset(`i${k > 0 ? "+" : ""}${k}`));
+  const index = (text) => html("sub", {}, ...[...text].map((c) => (c === "i" ? html("i", {}, c) : c)));
+  const row = html("p", { class: "rule" }, html("i", {}, "f"), "′", index(`${arity}i${e > 0 ? `+${e}` : ""}`), " =");
   const used = weights.map((w, k) => [w, first + k]).filter(([w]) => !isZero(w));
-  used.forEach(([w, k], place) => {
+  used.forEach(([w, k], nth) => {
     const size = w.n < 0n ? minus(ZERO, w) : w;
-    const sign = w.n < 0n ? "\u2212" : place > 0 ? "+" : "";
+    const sign = w.n < 0n ? "\u2212" : nth > 0 ? "+" : "";
     const number = equal(size, ONE) ? "" : `${toText(size)}\u202f`;
-    const space = place > 0 ? "\u00a0" : "";
-    row.append(" ", html("span", { class: "term" }, `${sign}${space}${number}f`, html("sub", {}, index(k))));
+    const space = nth > 0 ? "\u00a0" : "";
+    const factor = `${sign}${space}${number}`;
+    row.append(" ", html("span", { class: "term" }, factor, html("i", {}, "f"), index(place(k))));
   });
   return row;
 }
@@ -149,7 +155,15 @@ const chart = smoothness.kind === "scheme" ? null : createChart(byId("chart"), {
     const unit = ratio(1n, BigInt(state.grid));
     setPoint(state.point.map((x, k) => plus(x, times(unit, ratio(BigInt(direction[k]))))));
   },
+  zoom,
 });
+
+/** Looks nearer, or from further away, around the point, and fits the grid. */
+function zoom(factor) {
+  chart.look(chart.around(factor));
+  state.grid = fittingGrid(chart);
+  update();
+}
 
 const canvas = createCanvas(byId("canvas"), {
   move(i, place) {
@@ -202,6 +216,7 @@ function showVerdicts(verdicts) {
   const parts = [highest === null ? "No continuity is proved" : `${order(highest)} is proved`];
   if (next) parts.push(`${order(next.continuity)} is ${next.verdict}`);
   byId("headline").textContent = parts.join(", ");
+  byId("certify").textContent = certifyCommand(highest ?? 0);
   byId("verdicts").replaceChildren(...verdicts.map(({ continuity, verdict, because }) => {
     const name = html("span", { class: "order" }, order(continuity));
     const word = html("span", { class: `verdict ${verdict}` }, verdict);
@@ -221,7 +236,7 @@ function showFacts(member) {
     facts.push(["type", typeOf(member).join(", ")]);
     facts.push(["support", typeset(`[${member.first}, ${end}], width ${toText(width)}`)]);
     if (smoothness.holder) facts.push(["Hölder exponent", typeset(smoothness.holder)]);
-    const where = here.condition === "generic" ? "the degrees of almost all members" : `here ${here.condition}`;
+    const where = here.condition === "generic" ? "those of almost all members" : `special here: ${here.condition}`;
     byId("stratum").textContent = parameters.length > 0 ? typeset(where) : "";
   }
   const rows = facts.map(([name, value]) =>
@@ -234,6 +249,7 @@ function showMask(member) {
   byId("rules").replaceChildren(...(member ? stencils(member).map(ruleElement) : []));
 }
 
+/** Shows the curve; tells whether with its comb. */
 function showCurve(member, verdicts) {
   const { points, tags, closed, selected } = state;
   const isSmooth = verdicts.some((v) => v.continuity === 2 && v.verdict === "proved");
@@ -258,13 +274,14 @@ function showCurve(member, verdicts) {
   byId("tag").setAttribute("aria-pressed", tags[selected] === 1);
   byId("remove").disabled = points.length <= 2;
   byId("selected").textContent = `Vertex ${selected} at (${typeset(points[selected].join(", "))})`;
+  return comb !== null;
 }
 
 const copyable = new Map();
-function showCommands(member) {
+function showCommands(member, hasComb) {
   const texts = {
     "Hölder exponent": command("regularity", ...data.words, ...settings()),
-    "this curve": curveCommand(),
+    "this curve": curveCommand(hasComb),
     "mask in LaTeX": member ? latexOf(member) : "",
     "this view": location.href.split("#")[0] + toHash(),
   };
@@ -319,8 +336,7 @@ function show() {
   showVerdicts(verdicts);
   showFacts(member);
   showMask(member);
-  showCurve(member, verdicts);
-  showCommands(member);
+  showCommands(member, showCurve(member, verdicts));
   history.replaceState(null, "", toHash());
 }
 
@@ -349,20 +365,23 @@ function buildEntry() {
 }
 
 function buildNotable() {
-  const marks = [];
+  const marks = new Map();
+  const mark = (point, text) => {
+    const list = point.map(toText).join(", ");
+    const place = typeset(parameters.length > 1 ? `(${list}) ` : `${letter(parameters[0])} = ${list} `);
+    marks.set(place, { point, texts: [...(marks.get(place)?.texts ?? []), text] });
+  };
   const choice = data.interpolating;
   if (choice.smoothest) {
-    const exponent = `smoothest found, exponent ≥ ${choice.exponent}`;
-    marks.push([exponent, choice.smoothest.map(parseRational)]);
+    mark(choice.smoothest.map(parseRational), `smoothest found, exponent ≥ ${choice.exponent}`);
   }
-  if (interpolating) marks.push(["interpolates", interpolating]);
-  for (const stratum of strata.filter((s) => s.point)) {
-    marks.push([`degrees ${stratum.generation}, ${stratum.reproduction}`, stratum.point]);
+  if (interpolating) mark(interpolating, "interpolates");
+  for (const { point, generation, reproduction } of strata.filter((s) => s.point)) {
+    mark(point, `degrees ${generation}, ${reproduction}`);
   }
-  byId("notable").append(...marks.map(([text, point]) => {
-    const place = point.map((x) => typeset(toText(x))).join(", ");
-    return html("button", { type: "button", class: "mark", click: () => setPoint(point) }, `(${place}) `, html("small", {}, text));
-  }));
+  byId("notable").append(...[...marks].map(([place, { point, texts }]) =>
+    html("button", { type: "button", class: "mark", click: () => setPoint(point) }, place, html("small", {}, texts.join("; "))),
+  ));
 }
 
 function buildCommands() {
@@ -382,7 +401,6 @@ function build() {
     line: `Certified smoothness over ${list}, and limit curves`,
     scheme: "Certified smoothness, and limit curves",
   }[smoothness.kind];
-  byId("certify").textContent = certifyCommand();
   byId("grid").append(...GRIDS.map((count) => html("option", { value: count }, `1/${count}`)));
   byId("place").hidden = !chart;
   if (chart) {
@@ -394,11 +412,13 @@ function build() {
   buildCommands();
   byId("tag").hidden = !interpolating;
   byId("tag-note").textContent = interpolating
-    ? `An interpolated vertex, and the edge after it, takes ${typeset(assigned(interpolating).join(", "))}; all others take the point of the map.`
+    ? `An interpolated vertex, and the edge after it, takes ${spelled(interpolating)}; all others take the point above.`
     : `Vertices cannot be tagged as interpolated: ${data.interpolating.missing}.`;
   const on = (id, event, action) => byId(id).addEventListener(event, (e) => { action(e.target); update(); });
   on("grid", "change", (field) => { state.grid = Number(field.value); });
   on("levels", "input", (field) => { state.levels = Number(field.value); });
+  on("zoom-in", "click", () => zoom(0.5));
+  on("zoom-out", "click", () => zoom(2));
   on("closed", "change", (field) => { state.closed = field.checked; });
   on("comb", "change", (field) => { state.comb = field.checked; });
   on("theme", "click", () => {
@@ -415,7 +435,7 @@ function build() {
   });
   prefersDark.addEventListener("change", update);
   addEventListener("hashchange", () => { fromHash(location.hash); update(); });
-  state.grid = defaultGrid(chart);
+  state.grid = fittingGrid(chart);
   fromHash(location.hash);
   show();
 }
