@@ -215,6 +215,22 @@ impl Browser {
         self.settle();
     }
 
+    /// Drags an element by so many pixels with a finger.
+    pub fn swipe(&mut self, selector: &str, [dx, dy]: [f64; 2]) {
+        let [x, y] = self.place_of(selector);
+        let mut touch = |kind: &str, points: Value| {
+            let event = json!({"type": kind, "touchPoints": points});
+            self.call("Input.dispatchTouchEvent", &event);
+        };
+        touch("touchStart", json!([{"x": x, "y": y}]));
+        for k in 1..=4 {
+            let f = f64::from(k) / 4.0;
+            touch("touchMove", json!([{"x": x + f * dx, "y": y + f * dy}]));
+        }
+        touch("touchEnd", json!([]));
+        self.settle();
+    }
+
     /// Presses a key in whatever has the focus.
     pub fn press(&mut self, key: &str) {
         let text = if key == "Enter" { "\r" } else { "" };

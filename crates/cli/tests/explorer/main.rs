@@ -130,10 +130,12 @@ fn two_parameters() {
 
 /// The fields, the mouse, the keys and the theme.
 fn controls(browser: &mut Browser) {
+    // What is typed stays in its field; the point is what the address says.
     let at = |browser: &mut Browser| {
-        let fields =
-            browser.evaluate("[0, 1].map((k) => document.getElementById(`parameter-${k}`).value)");
-        [0, 1].map(|k| parse_rational(fields[k].as_str().expect("text")).expect("a number"))
+        let at = browser.evaluate("location.hash.match(/at=([^&]*)/)[1]");
+        let point: Vec<&str> = at.as_str().expect("text").split(',').collect();
+        let point: [Rational; 2] = numbers(&point).try_into().expect("two numbers");
+        point
     };
     browser.enter("#parameter-0", "1/16");
     browser.enter("#parameter-1", "-0.05");
@@ -163,6 +165,20 @@ fn controls(browser: &mut Browser) {
     assert_eq!(browser.evaluate("document.activeElement.getAttribute('role')"), "slider");
     let told = browser.evaluate("document.getElementById('handle').getAttribute('aria-valuetext')");
     assert!(told.as_str().expect("text").starts_with("alpha = "), "{told}");
+    let touched = at(browser);
+    browser.swipe("#handle .knob", [20.0, 20.0]);
+    let [u, v] = at(browser);
+    assert!(u > touched[0] && v < touched[1], "{touched:?} to {u}, {v}");
+    let seen = "new URLSearchParams(location.hash.slice(1)).get('view')";
+    browser.click("#zoom-in");
+    assert!(browser.evaluate(seen).is_string());
+    browser.click("#zoom-out");
+    assert!(browser.evaluate(seen).is_null());
+    // Too far away there is no curve, and nothing else goes wrong.
+    for digits in [6, 20, 75] {
+        browser.enter("#parameter-1", &"9".repeat(digits));
+        assert_eq!(browser.evaluate("document.querySelector('.limit').getAttribute('d')"), "");
+    }
     let background = "getComputedStyle(document.body).backgroundColor";
     let light = browser.evaluate(background);
     browser.click("#theme");

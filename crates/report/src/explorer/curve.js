@@ -21,8 +21,13 @@ function nearestEdge(points, closed, place) {
 }
 
 const fixedPlace = ([x, y]) => `${x.toFixed(2)} ${y.toFixed(2)}`;
+/** Further away, in pixels, pictures have no place. */
+const FARTHEST = 1e7;
+/** A path, or none where a point is too far away. */
 const pathThrough = (places, closed) =>
-  places.length > 0 ? `M${places.map(fixedPlace).join("L")}${closed ? "Z" : ""}` : "";
+  places.length > 0 && places.flat().every((x) => Math.abs(x) < FARTHEST)
+    ? `M${places.map(fixedPlace).join("L")}${closed ? "Z" : ""}`
+    : "";
 
 /** The canvas in an element. `edit` has the functions `move(i, place)`, `insert(after, place)`, `remove(i)`,
     `select(i)` and `toggle(i)`. */
@@ -115,7 +120,7 @@ function createCanvas(element, edit) {
     const ends = (comb?.tips ?? []).map(toScreen);
     const bases = (comb?.bases ?? []).map(toScreen);
     tips.setAttribute("d", pathThrough(ends, closed));
-    teeth.setAttribute("d", ends.map((tip, k) => `M${fixedPlace(bases[k])}L${fixedPlace(tip)}`).join(""));
+    teeth.setAttribute("d", ends.map((tip, k) => pathThrough([bases[k], tip], false)).join(""));
     // Elements stay as long as they can: the focus is on one of them.
     while (vertices.childElementCount > points.length) vertices.lastChild.remove();
     while (vertices.childElementCount < points.length) vertices.append(vertex(vertices.childElementCount));

@@ -49,9 +49,18 @@ function toHash() {
   return `#${filled.map(([name, value]) => `${name}=${value}`).join("&")}`;
 }
 
+/** Some programs write `%3B` for `;` when they pass an address on. */
+function decoded(text) {
+  try {
+    return decodeURIComponent(text);
+  } catch {
+    return text;
+  }
+}
+
 /** Takes from an address what can be read, and leaves the rest as it is. */
 function fromHash(hash) {
-  const entries = new Map(hash.slice(1).split("&").map((entry) => entry.split("=", 2)));
+  const entries = new Map(decoded(hash.slice(1)).split("&").map((entry) => entry.split("=", 2)));
   const text = (name) => entries.get(name) ?? "";
   const at = text("at").split(",").map(parseRational);
   if (at.length === parameters.length && at.every((x) => x)) state.point = at;
@@ -215,7 +224,9 @@ function showVerdicts(verdicts) {
   const next = verdicts.find(({ continuity }) => continuity === (highest ?? -1) + 1);
   const parts = [highest === null ? "No continuity is proved" : `${order(highest)} is proved`];
   if (next) parts.push(`${order(next.continuity)} is ${next.verdict}`);
-  byId("headline").textContent = parts.join(", ");
+  // Set only when it changes: changes are read out.
+  const headline = parts.join(", ");
+  if (byId("headline").textContent !== headline) byId("headline").textContent = headline;
   byId("certify").textContent = certifyCommand(highest ?? 0);
   byId("verdicts").replaceChildren(...verdicts.map(({ continuity, verdict, because }) => {
     const name = html("span", { class: "order" }, order(continuity));
