@@ -228,7 +228,7 @@ mod tests {
         let data = explored(&Scheme::resolve("i4", 2).unwrap()).data().clone();
         let proved = &data["smoothness"]["ranges"][1]["intervals"][0];
         assert_eq!(proved["verdict"], "proved");
-        assert_eq!(proved["lower"]["polynomial"], serde_json::json!(["1", "-4", "0", "-32"]));
+        assert_eq!(proved["lower"]["polynomial"], serde_json::json!(["1", "4", "0", "32"]));
         assert_eq!(proved["upper"], "0");
         let data = explored(&Scheme::resolve("dd4", 2).unwrap()).data().clone();
         let verdicts = data["smoothness"]["verdicts"].as_array().unwrap().iter();
