@@ -1,7 +1,7 @@
 //! `explore`: a family as one page that opens from disk, with certified smoothness at every point and live
 //! curves.
 //!
-//! All that the page says about smoothness and degrees is found here and embedded as data (`data`); the
+//! All that the page says about smoothness and degrees is found here and embedded as data (`data`, `smoothness`); the
 //! page evaluates masks at a rational point, tests which piece of a certified map holds it, both in big
 //! integers, and draws in floats. Its parts are plain files in `explorer/`, put together at compile time:
 //!
@@ -18,6 +18,7 @@
 //! | `view.js` | the state, the panels, the address |
 
 mod data;
+mod smoothness;
 
 use refinable_analysis::Fineness;
 use refinable_scheme::{Diagnostic, Scheme};

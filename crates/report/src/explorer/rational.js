@@ -100,10 +100,10 @@ const readInterval = (interval) => ({
   upper: readNumber(interval.upper),
 });
 
-/** Integers in the ratio of rational numbers. */
+/** The least common denominator of numbers, and their numerators over it. */
 function cleared(numbers) {
   const common = numbers.reduce((m, { d }) => (m / gcd(m, d)) * d, 1n);
-  return numbers.map(({ n, d }) => n * (common / d));
+  return { common, tops: numbers.map(({ n, d }) => n * (common / d)) };
 }
 
 /** Whether a determinant of integers vanishes, by Bareiss' elimination. */

@@ -82,7 +82,7 @@ function reasonsAt(map, point) {
     difference symbol c have no common zero, and c(-z) none with the polynomial of its squared zeros. */
 function hasStableShifts(point) {
   if (arity !== 2) return false;
-  const values = cleared(difference.map((c) => evaluate(c, point)));
+  const values = cleared(difference.map((c) => evaluate(c, point))).tops;
   const trimmed = (indices) => {
     const occurs = (i) => difference[i].length > 0;
     return indices.slice(indices.findIndex(occurs), indices.findLastIndex(occurs) + 1);

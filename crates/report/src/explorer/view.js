@@ -119,21 +119,15 @@ function certifyCommand(n) {
 
 // ---- Mask and rules.
 
-/** The least common denominator of a mask, and its numerators. */
-function overOne(numbers) {
-  const common = numbers.reduce((m, { d }) => (m / gcd(m, d)) * d, 1n);
-  return { common, tops: numbers.map(({ n, d }) => n * (common / d)) };
-}
-
 function latexOf(member) {
-  const { common, tops } = overOne(member.mask);
+  const { common, tops } = cleared(member.mask);
   const front = common === 1n ? "" : `\\frac{1}{${common}}`;
   return `${front}\\left[${tops.join(", ")}\\right]`;
 }
 
 /** A list with a shift behind it where it does not stand as a centred one would. */
 function maskText(member) {
-  const { common, tops } = overOne(member.mask);
+  const { common, tops } = cleared(member.mask);
   const list = `[${tops.join(", ")}]`;
   const centred = -Math.floor(member.mask.length / 2);
   const shift = member.first === centred ? "" : ` @ ${member.first}`;
