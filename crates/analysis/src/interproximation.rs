@@ -61,7 +61,7 @@ pub struct TensionChoice {
 /// geometric design*, 2002.
 pub fn interproximate_tensions(name: &str, mask: &Normalised) -> Result<TensionChoice, Diagnostic> {
     let parameters: Vec<Parameter> = mask.parameters().into_iter().collect();
-    let (fixed, value) = interpolation(mask).ok_or_else(|| not_interpolating(mask))?;
+    let (fixed, value) = interpolating_value(mask).ok_or_else(|| not_interpolating(mask))?;
     let free: Vec<&Parameter> = parameters.iter().filter(|p| **p != fixed).collect();
     let [free] = free[..] else { return Err(not_interpolating(mask)) };
     if mask.support_width() > Rational::from_i64(WIDEST) {
@@ -120,7 +120,7 @@ fn not_interpolating(mask: &Normalised) -> Diagnostic {
 }
 
 /// The parameter that decides whether the vertex rule keeps the old points, and the value at which it does.
-fn interpolation(mask: &Normalised) -> Option<(Parameter, Rational)> {
+pub fn interpolating_value(mask: &Normalised) -> Option<(Parameter, Rational)> {
     let conditions = mask.interpolation_conditions();
     let first = conditions.first().filter(|_| mask.arity() == 2 && mask.is_primal())?;
     let parameter = first.parameters().into_iter().next()?;

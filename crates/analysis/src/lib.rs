@@ -51,7 +51,7 @@ pub use continuity::{
 pub use contractivity::{NormRange, Work, norm_range, norm_values};
 pub use degrees::{Degrees, GenerationDegree, ReproductionDegree, Stratum, degrees};
 pub use difference::{ClearedSymbol, DifferenceSymbol};
-pub use interproximation::{TensionChoice, interproximate_tensions};
+pub use interproximation::{TensionChoice, interpolating_value, interproximate_tensions};
 pub use landscape::{Landscape, Locus, Summit, landscape, smooth_window};
 pub use line::Line;
 pub use map::{Area, Fineness, Map, MapVerdict, certified_map, default_window, map};

@@ -82,6 +82,17 @@ pub enum Command {
         #[command(flatten)]
         format: FormatArgument,
     },
+    /// Write a page to explore a family: certified smoothness and degrees at every point, and live curves; it
+    /// opens from disk
+    Explore {
+        #[command(flatten)]
+        scheme: SchemeArguments,
+        #[command(flatten)]
+        fineness: FinenessArguments,
+        /// Where to write it
+        #[arg(long, short, value_name = "FILE.html")]
+        output: PathBuf,
+    },
     /// A quantity at every point of a grid over two parameters, as CSV or JSON lines
     Scan {
         #[command(flatten)]
@@ -415,6 +426,20 @@ pub struct SchemeArguments {
     pub arity: u32,
 }
 
+impl SchemeArguments {
+    /// The words by which the scheme was named, to be used in further commands.
+    pub fn words(&self) -> Vec<String> {
+        let mut words = vec![self.scheme.clone()];
+        for setting in &self.set {
+            words.extend(["--set".into(), setting.clone()]);
+        }
+        if self.arity != 2 {
+            words.extend(["--arity".into(), self.arity.to_string()]);
+        }
+        words
+    }
+}
+
 /// The languages to which schemes are exported.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Target {
@@ -439,6 +464,13 @@ pub struct MapArguments {
     /// The order n of C^n, or several: 2, 0..5
     #[arg(long, short = 'n', value_name = "N[..M]")]
     pub continuity: Option<String>,
+    #[command(flatten)]
+    pub fineness: FinenessArguments,
+}
+
+/// Which box is mapped, and how finely.
+#[derive(Args, Clone, Debug)]
+pub struct FinenessArguments {
     /// The box, 'alpha=-1/4..3/4,beta=-1/2..1/2'; one that shows the set if left out
     #[arg(long = "box", value_name = "BOX", allow_hyphen_values = true)]
     pub window: Option<String>,

@@ -4,6 +4,7 @@ use std::fs;
 use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressStyle};
 use refinable_algebra::{parse_rational, rational};
@@ -11,16 +12,16 @@ use refinable_analysis::{Budget, Fineness, Map, Options, Sharpness, continuity_a
 use refinable_certificate::{Certificate, MAP_FORMAT, MapCertificate, verify, verify_map};
 use refinable_papers::{Claims, Paper, Table};
 use refinable_report::{
-    Audit, CERTIFICATES, CertificateStore, Checked, Effort, FamilyMaps, HolderMap, Language,
-    MapStore, Maps, Quantity, Scan, Site, Sweep, analyze, check, check_json, compare, degree_table,
-    expected_file, export, norm_table, proof_text, range_table, regularity_table, report_site,
-    rule_picture, schemes, sharp_range, sharp_range_table, show,
+    Audit, CERTIFICATES, CertificateStore, Checked, Effort, Explorer, ExplorerOptions, FamilyMaps,
+    HolderMap, Language, MapStore, Maps, Quantity, Scan, Site, Sweep, analyze, check, check_json,
+    compare, degree_table, expected_file, export, norm_table, proof_text, range_table,
+    regularity_table, report_site, rule_picture, schemes, sharp_range, sharp_range_table, show,
 };
 use refinable_scheme::{Scheme, SchemeFile, Substitution};
 
 use crate::arguments::{
-    Arguments, AuditArguments, Command, Format, FormatArgument, MapArguments, Mapped, ReportAction,
-    SchemeArguments, Target, What,
+    Arguments, AuditArguments, Command, FinenessArguments, Format, FormatArgument, MapArguments,
+    Mapped, ReportAction, SchemeArguments, Target, What,
 };
 use crate::failure::Failure;
 use crate::files::Image;
@@ -80,7 +81,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
                 return Err(Failure::new("usage", message, hint));
             }
             let picture = picture(drawing.output.as_deref())?;
-            let holder = HolderMap::new(&resolve(scheme)?, map.window.as_deref())?;
+            let holder = HolderMap::new(&resolve(scheme)?, map.fineness.window.as_deref())?;
             if let Some((path, image)) = picture {
                 image.write(path, &holder.picture())?;
             }
@@ -88,10 +89,10 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         }
         Command::Map { scheme, map, drawing, certificate, format } => {
             let picture = picture(drawing.output.as_deref())?;
-            let fineness = fineness(map)?;
+            let fineness = fineness(&map.fineness)?;
             let scheme = resolve(scheme)?;
             let orders = orders(map)?;
-            let maps = Maps::new(&scheme, orders, map.window.as_deref(), &fineness)?;
+            let maps = Maps::new(&scheme, orders, map.fineness.window.as_deref(), &fineness)?;
             if let Some((path, image)) = picture {
                 image.write(path, &maps.picture(&drawing.curves, &drawing.marks)?)?;
             }
@@ -101,6 +102,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
             }
             output::print(&maps.document(), format.format)?;
         }
+        Command::Explore { scheme, fineness, output } => explore(scheme, fineness, output)?,
         Command::Scan { scheme, grid, what, continuity, level, json_lines, output, resume } => {
             let quantity = match what {
                 What::Continuity => Quantity::Continuity,
@@ -254,6 +256,28 @@ fn picture(path: Option<&Path>) -> Result<Option<(&Path, Image)>, Failure> {
     path.map(|path| Ok((path, Image::of(path)?))).transpose()
 }
 
+/// Writes the page of an explorer.
+fn explore(
+    arguments: &SchemeArguments,
+    fineness: &FinenessArguments,
+    path: &Path,
+) -> Result<(), Failure> {
+    if path.extension().is_none_or(|end| !end.eq_ignore_ascii_case("html")) {
+        let message = format!("{} does not end in .html", path.display());
+        return Err(Failure::new("page", message, "the explorer is a page, for example a5.html"));
+    }
+    let scheme = resolve(arguments)?;
+    let options = ExplorerOptions {
+        words: arguments.words(),
+        window: fineness.window.clone(),
+        fineness: self::fineness(fineness)?,
+    };
+    let spinner = spinner();
+    let explorer = Explorer::new(&scheme, &options, &|step| spinner.set_message(step.to_string()));
+    spinner.finish_and_clear();
+    files::write_file(path, explorer?.page().as_bytes())
+}
+
 fn orders(arguments: &MapArguments) -> Result<&str, Failure> {
     arguments.continuity.as_deref().ok_or_else(|| {
         let hint = "for example --continuity 2 or --continuity 0..5";
@@ -261,7 +285,7 @@ fn orders(arguments: &MapArguments) -> Result<&str, Failure> {
     })
 }
 
-fn fineness(arguments: &MapArguments) -> Result<Fineness, Failure> {
+fn fineness(arguments: &FinenessArguments) -> Result<Fineness, Failure> {
     let part = parse_rational(&arguments.undecided);
     let Some(undecided) = part.filter(|x| *x > rational(0, 1) && *x < rational(1, 1)) else {
         let hint = "give a number between 0 and 1, for example --undecided 1/160";
@@ -396,6 +420,16 @@ fn progress_bar(count: usize, of: &str) -> ProgressBar {
     let style = format!("{{bar:40}} {{pos}}/{{len}} {of}, {{eta}} left");
     let style = ProgressStyle::with_template(&style).expect("the template is well formed");
     ProgressBar::new(count as u64).with_style(style)
+}
+
+/// What is being worked on, on a terminal; nothing elsewhere.
+fn spinner() -> ProgressBar {
+    if !std::io::stderr().is_terminal() {
+        return ProgressBar::hidden();
+    }
+    let spinner = ProgressBar::new_spinner();
+    spinner.enable_steady_tick(Duration::from_millis(100));
+    spinner
 }
 
 fn report(action: &ReportAction) -> Result<ExitCode, Failure> {

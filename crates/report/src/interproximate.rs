@@ -193,7 +193,7 @@ pub fn choice_text(family: &Scheme, choice: &TensionChoice) -> String {
 }
 
 /// Four decimals, rounded down.
-fn floored(x: &Rational) -> String {
+pub(crate) fn floored(x: &Rational) -> String {
     let scale = Rational::from_i64(10_000);
     decimal(&((x * &scale).floor() / scale), 8)
 }

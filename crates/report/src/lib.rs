@@ -11,6 +11,7 @@
 //! | `svg`, `frame`, `raster` | what pictures have in common; from SVG to pixels |
 //! | `curve`, `surface`, `basis` | [`Curve`], [`TensorSurface`], [`Basis`]: refined points, limits, as data and as SVG |
 //! | `compare`, `analyze` | schemes side by side; one scheme on a page |
+//! | `explorer` | [`Explorer`]: a family as one page to explore, with certified verdicts at every point |
 //! | `expect` | [`check`]: what scheme files expect, against what is found |
 //! | `export` | [`export()`]: a scheme in another [`Language`]; `dialect`: how languages write polynomials |
 //! | `interproximate` | [`Assignment`]: tensions at every control point |
@@ -36,6 +37,7 @@ mod curve;
 mod degrees;
 mod dialect;
 mod expect;
+mod explorer;
 mod export;
 mod families;
 mod figures;
@@ -72,6 +74,7 @@ pub use compare::compare;
 pub use curve::{Curve, CurveOptions, extrapolation};
 pub use degrees::degree_table;
 pub use expect::{Checked, check, check_json, expected_file};
+pub use explorer::{Explorer, ExplorerOptions};
 pub use export::{Language, export};
 pub use families::{FamilyMaps, MapStore};
 pub use grid::{Cell, Document, Grid};

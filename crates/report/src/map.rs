@@ -221,7 +221,7 @@ pub(crate) fn coordinates(plane: &Plane) -> [String; 2] {
 const LONGEST: usize = 160;
 
 /// The word for a verdict.
-fn verdict(verdict: CellVerdict) -> &'static str {
+pub(crate) fn verdict(verdict: CellVerdict) -> &'static str {
     match verdict {
         CellVerdict::Proved => "proved",
         CellVerdict::Refuted { .. } => "refuted",
@@ -229,7 +229,8 @@ fn verdict(verdict: CellVerdict) -> &'static str {
     }
 }
 
-fn because(node: &Node) -> String {
+/// What a piece is decided by.
+pub(crate) fn because(node: &Node) -> String {
     match node {
         Node::Norm => "norm".into(),
         Node::Ellipsoids(ellipsoids) => format!("ellipsoids of memory {}", ellipsoids.memory),
@@ -292,7 +293,7 @@ fn area_number(area: &Area) -> Value {
 }
 
 /// The most orders that are mapped at once.
-const MOST_ORDERS: usize = 24;
+pub(crate) const MOST_ORDERS: usize = 24;
 
 fn parse_orders(text: &str) -> Result<Vec<usize>, Diagnostic> {
     let number = |text: &str| text.trim().parse::<usize>().ok().filter(|&n| n < 1000);

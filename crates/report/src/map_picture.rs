@@ -234,7 +234,7 @@ fn draw(svg: &mut String, map: &Map, frame: &Frame, verdict: CellVerdict, fill: 
 }
 
 /// Where on its line a section proves the order.
-fn proved_on(section: &Section) -> Region {
+pub(crate) fn proved_on(section: &Section) -> Region {
     match &section.certificate.conclusion {
         Conclusion::Continuity { proved, .. } => region_of(proved),
         _ => Region::empty(),

@@ -92,7 +92,8 @@ fn json_of(scheme: &Scheme, range: &ContinuityRange) -> Value {
     })
 }
 
-fn word(verdict: PointVerdict) -> &'static str {
+/// The word for a verdict.
+pub(crate) fn word(verdict: PointVerdict) -> &'static str {
     match verdict {
         PointVerdict::Proved => "proved",
         PointVerdict::Refuted => "refuted",
@@ -123,7 +124,7 @@ fn remarks(range: &ContinuityRange) -> Vec<String> {
 }
 
 /// Why something is left undecided, if it is.
-fn undecided_because(range: &ContinuityRange) -> Vec<String> {
+pub(crate) fn undecided_because(range: &ContinuityRange) -> Vec<String> {
     let mut reasons = Vec::new();
     if range.points.iter().any(|(_, verdict)| *verdict == PointVerdict::Unstable) {
         reasons.push(
@@ -175,7 +176,7 @@ pub fn proof_text(certificate: &Certificate) -> String {
 }
 
 /// The words of a certificate, each once, in order.
-fn words(certificate: &Certificate) -> Vec<String> {
+pub(crate) fn words(certificate: &Certificate) -> Vec<String> {
     let mut words: Vec<String> = Vec::new();
     for lemma in &certificate.lemmas {
         for lemma in lemma.inside().unwrap_or(std::slice::from_ref(lemma)) {

@@ -1,0 +1,152 @@
+//! What the page of an explorer is told: exact numbers as text, so that it can go on exactly.
+//!
+//! Polynomials in the parameters are lists of `[c, i, j]` for `c u^i v^j`; a family of one parameter has `j = 0`.
+
+use refinable_algebra::{Monomial, Parameter, ParameterPolynomial, Rational};
+use refinable_analysis::{
+    Stratum, TensionChoice, degrees, interpolating_value, interproximate_tensions,
+};
+use refinable_reals::{Component, RealAlgebraic};
+use refinable_scheme::{Diagnostic, Mask, Scheme};
+use serde_json::{Value, json};
+
+use super::ExplorerOptions;
+use super::smoothness::{line, plane, single};
+use crate::degrees::condition;
+use crate::interproximate::floored;
+
+/// All that the page is told.
+pub(super) fn of(
+    scheme: &Scheme,
+    options: &ExplorerOptions,
+    progress: &dyn Fn(&str),
+) -> Result<Value, Diagnostic> {
+    let mask = scheme.mask();
+    let free: Vec<Parameter> = mask.parameters().into_iter().collect();
+    let (parameters, smoothness, centre) = match free.len() {
+        0 => (free, single(scheme, progress)?, Vec::new()),
+        1 => {
+            let (ranges, centre) = line(scheme, progress)?;
+            (free, ranges, vec![centre])
+        }
+        _ => plane(scheme, options, progress)?,
+    };
+    progress("interpolating members");
+    let tensions = tensions(scheme, &parameters);
+    let start = match &tensions {
+        Tensions::Chosen(choice) => in_order(mask, &parameters, &choice.approximating),
+        _ => centre,
+    };
+    Ok(json!({
+        "scheme": scheme.name(),
+        "words": options.words,
+        "arity": mask.arity(),
+        "parameters": parameters.iter().map(Parameter::name).collect::<Vec<_>>(),
+        "mask": mask_data(mask, &parameters),
+        "start": texts(&start),
+        "degrees": degree_data(scheme, &parameters),
+        "smoothness": smoothness,
+        "interpolating": tensions.data(mask, &parameters),
+    }))
+}
+
+/// Numbers as text.
+pub(super) fn texts(numbers: &[Rational]) -> Vec<String> {
+    numbers.iter().map(ToString::to_string).collect()
+}
+
+/// The terms `[c, i, j]` of a polynomial in at most two parameters.
+pub(super) fn terms(p: &ParameterPolynomial, parameters: &[Parameter]) -> Value {
+    let term = |(monomial, c): (&Monomial, &Rational)| {
+        let exponent = |k: usize| parameters.get(k).map_or(0, |p| monomial.exponent(p));
+        json!([c.to_string(), exponent(0), exponent(1)])
+    };
+    p.terms().map(term).collect()
+}
+
+fn mask_data(mask: &Mask, parameters: &[Parameter]) -> Value {
+    let (first, last) = mask.support();
+    let coefficients: Value =
+        (first..=last).map(|i| terms(&mask.numerator().coefficient(i), parameters)).collect();
+    json!({
+        "first": first,
+        "coefficients": coefficients,
+        "denominator": terms(mask.denominator(), parameters),
+    })
+}
+
+/// The strata. A point with irrational coordinates is told in words only: no rational point is it.
+fn degree_data(scheme: &Scheme, parameters: &[Parameter]) -> Value {
+    let found = degrees(scheme.mask());
+    let stratum = |stratum: &Stratum| {
+        let mut data = json!({
+            "condition": condition(&stratum.locus),
+            "generation": stratum.generation.0,
+            "reproduction": stratum.reproduction.0,
+        });
+        match &stratum.locus {
+            Component::Space => {}
+            Component::Hypersurface(f) => data["vanishes"] = terms(f, parameters),
+            Component::Point(point) => {
+                let coordinate =
+                    |p| point.coordinates().get(p).and_then(RealAlgebraic::as_rational);
+                let point: Option<Vec<Rational>> =
+                    parameters.iter().map(|p| coordinate(p).cloned()).collect();
+                data["point"] = point.map_or(Value::Null, |point| json!(texts(&point)));
+            }
+        }
+        data
+    };
+    let strata: Vec<Value> = found.strata.iter().map(stratum).collect();
+    json!({"complete": found.complete, "strata": strata})
+}
+
+/// The members by which vertices can be interpolated.
+enum Tensions {
+    /// One that was chosen, with the member that goes well with it.
+    Chosen(Box<TensionChoice>),
+    /// The only one.
+    Value(Rational),
+    /// None, and why.
+    None(String),
+}
+
+fn tensions(scheme: &Scheme, parameters: &[Parameter]) -> Tensions {
+    let mask = scheme.mask();
+    if mask.is_interpolatory() {
+        return Tensions::None("every vertex is interpolated already".into());
+    }
+    match (parameters.len(), interpolating_value(mask)) {
+        (0, _) => Tensions::None("the scheme has no free parameter".into()),
+        (1, Some((_, value))) => Tensions::Value(value),
+        (2, Some(_)) => match interproximate_tensions(scheme.name(), mask) {
+            Ok(choice) => Tensions::Chosen(choice.into()),
+            Err(error) => Tensions::None(error.to_string()),
+        },
+        _ => {
+            let text = "no value of one parameter makes the vertex rule keep old points";
+            Tensions::None(text.into())
+        }
+    }
+}
+
+impl Tensions {
+    fn data(&self, mask: &Mask, parameters: &[Parameter]) -> Value {
+        match self {
+            Tensions::Chosen(choice) => json!({
+                "values": texts(&in_order(mask, parameters, &choice.interpolating)),
+                "smoothest": texts(&in_order(mask, parameters, &choice.approximating)),
+                "exponent": floored(&choice.regularity.lower),
+            }),
+            Tensions::Value(value) => json!({"values": texts(std::slice::from_ref(value))}),
+            Tensions::None(reason) => json!({"missing": reason}),
+        }
+    }
+}
+
+/// Values in the order of the parameters of a mask, in another order of them.
+fn in_order(mask: &Mask, parameters: &[Parameter], values: &[Rational]) -> Vec<Rational> {
+    let known: Vec<Parameter> = mask.parameters().into_iter().collect();
+    let value = |p| known.iter().position(|q| q == p).and_then(|k| values.get(k)).cloned();
+    parameters.iter().filter_map(value).collect()
+}

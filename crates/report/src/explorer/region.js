@@ -1,0 +1,175 @@
+// ---- region.js: what the certificates say at a point. Pieces are closed; a point on a cut is in both.
+
+/** The list of cuts as a tree: a line with what is below and above, or the number of a reason. */
+function readTree(walk) {
+  let next = 0;
+  const root = {};
+  const open = [[root, "only"]];
+  while (open.length > 0) {
+    const [parent, side] = open.pop();
+    const entry = walk[next++];
+    if (typeof entry === "number") {
+      parent[side] = entry;
+    } else {
+      const node = { line: entry.split(" ").map(BigInt) };
+      parent[side] = node;
+      open.push([node, "above"], [node, "below"]);
+    }
+  }
+  return root.only;
+}
+
+const smoothness = data.smoothness;
+
+const maps = (smoothness.maps ?? []).map((map) => ({
+  ...map,
+  parts: map.parts.map((part) => part.map((corner) => corner.map(parseRational))),
+  trees: map.trees.map(readTree),
+  divisible: map.divisible?.map(readTerms),
+  sections: (map.sections ?? []).map((section) => ({
+    ...section,
+    origin: section.origin.map(parseRational),
+    direction: section.direction.map(parseRational),
+    intervals: section.intervals.map(readInterval),
+  })),
+}));
+
+const ranges = (smoothness.ranges ?? []).map((range) => ({
+  ...range,
+  intervals: range.intervals.map(readInterval),
+}));
+
+const factor = smoothness.factor?.map(parseRational);
+const difference = smoothness.difference?.map(readTerms);
+
+/** The point (x, y) of the parameters, in which the pieces are polygons: x = u, y = v l(u). */
+function toPlane([u, v]) {
+  return [u, factor ? times(v, plus(factor[0], times(factor[1], u))) : v];
+}
+
+/** Whether a convex polygon, its corners counterclockwise, has the point to the left of all edges. */
+function isInPolygon(corners, [x, y]) {
+  return corners.every(([ax, ay], i) => {
+    const [bx, by] = corners[(i + 1) % corners.length];
+    const left = times(minus(bx, ax), minus(y, ay));
+    return compare(left, times(minus(by, ay), minus(x, ax))) >= 0;
+  });
+}
+
+/** The sign of a x + b y - c. */
+function sideOfLine([a, b, c], [x, y]) {
+  return signOf(a * x.n * y.d + b * y.n * x.d - c * x.d * y.d);
+}
+
+/** The numbers of the reasons of all pieces that hold a point of the plane. */
+function reasonsAt(map, point) {
+  const open = map.trees.filter((_, k) => isInPolygon(map.parts[k], point));
+  const found = new Set();
+  while (open.length > 0) {
+    const node = open.pop();
+    if (typeof node === "number") {
+      found.add(node);
+      continue;
+    }
+    const side = sideOfLine(node.line, point);
+    if (side <= 0) open.push(node.below);
+    if (side >= 0) open.push(node.above);
+  }
+  return [...found].map((k) => map.reasons[k]);
+}
+
+/** Whether the shifts are stable at a point for a reason that holds almost everywhere: the halves of the
+    difference symbol c have no common zero, and c(-z) none with the polynomial of its squared zeros. */
+function hasStableShifts(point) {
+  if (arity !== 2) return false;
+  const values = cleared(difference.map((c) => evaluate(c, point))).tops;
+  const trimmed = (indices) => {
+    const occurs = (i) => difference[i].length > 0;
+    return indices.slice(indices.findIndex(occurs), indices.findLastIndex(occurs) + 1);
+  };
+  const indices = values.map((_, i) => i);
+  const half = (k) => trimmed(indices.filter((i) => i % 2 === k)).map((i) => values[i]);
+  const alternating = trimmed(indices).map((i) => (i % 2 === 1 ? -values[i] : values[i]));
+  return areCoprime(half(0), half(1)) && areCoprime(alternating, ofSquares(alternating));
+}
+
+/** The value of t at which the line of a section passes through a point; null if it does not. */
+function parameterOnSection({ origin, direction }, point) {
+  const moving = direction.findIndex((d) => !isZero(d));
+  const t = moving < 0 ? ZERO : over(minus(point[moving], origin[moving]), direction[moving]);
+  const there = point.every((x, k) => equal(x, plus(origin[k], times(direction[k], t))));
+  return there ? t : null;
+}
+
+/** The power of 1 + z that C^n needs, or of its counterpart for another arity. */
+const neededPower = (n) => `(1 + z${arity > 2 ? ` + … + z${raised(arity - 1)}` : ""})${raised(n + 1)}`;
+
+function sectionText(n, { origin, direction }, interval) {
+  const [start, way] = [origin, direction].map((p) => `(${p.map(toText).join(", ")})`);
+  const divides = `where ${neededPower(n)} divides the symbol`;
+  if (direction.every(isZero)) return `at the only point ${divides}, (x, y) = ${start}`;
+  const part = interval ? `, t in ${interval.text}` : "";
+  return `on the line ${divides}, (x, y) = ${start} + t ${way}${part}`;
+}
+
+/** What is proved on the lines beyond the order. */
+function verdictOnSections(map, point) {
+  for (const section of map.sections) {
+    const t = parameterOnSection(section, point);
+    if (t === null) continue;
+    const interval = section.intervals.find((interval) => isInside(t, interval));
+    const verdict = interval?.verdict ?? "undecided";
+    return { verdict, because: sectionText(map.continuity, section, interval) };
+  }
+  return { verdict: "undecided", because: `${neededPower(map.continuity)} divides the symbol here; nothing is proved` };
+}
+
+const REASONS = {
+  norm: () => "in a piece where a norm is below 1",
+  division: (n) => `in a piece where ${neededPower(n)} does not divide the symbol`,
+  "": () => "in a piece for which no proof was found",
+};
+const reasonText = (n, because) => REASONS[because]?.(n) ?? `in a piece decided by ${because}`;
+
+function verdictOnMap(map, point, isStable) {
+  const reasons = reasonsAt(map, point);
+  const proved = reasons.find((reason) => reason.verdict === "proved");
+  if (proved) return { verdict: "proved", because: reasonText(map.continuity, proved.because) };
+  if (map.divisible?.every((c) => isZero(evaluate(c, point)))) return verdictOnSections(map, point);
+  const refuting = reasons.filter((reason) => reason.verdict === "refuted");
+  const refuted = refuting.find((reason) => !reason.if_stable || isStable());
+  if (refuted) {
+    const stable = refuted.if_stable ? "; the shifts are stable here" : "";
+    return { verdict: "refuted", because: reasonText(map.continuity, refuted.because) + stable };
+  }
+  if (refuting.length > 0) {
+    return { verdict: "undecided", because: "refuted around here, but the shifts may be unstable" };
+  }
+  const because = reasons.length > 0 ? reasonText(map.continuity, "") : "outside of the box that was mapped";
+  return { verdict: "undecided", because };
+}
+
+function verdictOnLine(range, x) {
+  const interval = range.intervals.find((interval) => isInside(x, interval));
+  if (!interval) return { verdict: "undecided", because: "" };
+  const because = range.because[interval.verdict];
+  return { verdict: interval.verdict, because: interval.text + (because ? `; ${because}` : "") };
+}
+
+/** For each order, ascending, the verdict at the parameters and its reason. */
+function verdictsAt(parameters) {
+  if (smoothness.kind === "scheme") return smoothness.verdicts;
+  if (smoothness.kind === "line") {
+    return ranges.map((range) => ({
+      continuity: range.continuity,
+      ...verdictOnLine(range, parameters[0]),
+    }));
+  }
+  const point = toPlane(parameters);
+  let stable;
+  const isStable = () => (stable ??= hasStableShifts(parameters));
+  return maps.map((map) => ({
+    continuity: map.continuity,
+    ...verdictOnMap(map, point, isStable),
+  }));
+}
