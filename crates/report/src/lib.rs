@@ -5,12 +5,14 @@
 //! | `grid` | [`Document`], [`Grid`], [`Cell`]: tables as data, rendered as md, csv, tex and json |
 //! | `latex`, `number` | exact quantities as LaTeX and as JSON |
 //! | `show`, `degrees`, `range`, `sharp`, `regularity`, `norm` | one document for each analysis |
+//! | `shape` | what limits keep of the shape of their data |
 //! | `map`, `map_picture` | [`Maps`]: orders of continuity over two parameters, as data and as SVG |
 //! | `landscape` | [`HolderMap`]: the Hölder exponent over two parameters, as data and as SVG |
 //! | `scan` | [`Scan`]: a quantity at every point of a grid |
 //! | `svg`, `frame`, `raster` | what pictures have in common; from SVG to pixels |
 //! | `curve`, `surface`, `basis` | [`Curve`], [`TensorSurface`], [`Basis`]: refined points, limits, as data and as SVG |
 //! | `compare`, `analyze` | schemes side by side; one scheme on a page |
+//! | `comparison` | the paper's comparison tables rebuilt |
 //! | `expect` | [`check`]: what scheme files expect, against what is found |
 //! | `interproximate` | [`Assignment`]: tensions at every control point |
 //! | `mesh` | [`Mesh`]: surfaces as OBJ, PLY and STL |
@@ -31,6 +33,7 @@ mod audit;
 mod basis;
 mod canvas;
 mod compare;
+mod comparison;
 mod curve;
 mod degrees;
 mod expect;
@@ -53,6 +56,7 @@ mod raster;
 mod regularity;
 mod rule_picture;
 mod scan;
+mod shape;
 mod sharp;
 mod show;
 mod site;
