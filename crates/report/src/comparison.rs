@@ -1,5 +1,7 @@
 //! The paper's comparison tables, rebuilt by [`compare`](crate::compare()) for all rows whose masks are known.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use rayon::prelude::*;
 use refinable_algebra::Rational;
 use refinable_analysis::Sharpness;
@@ -46,6 +48,11 @@ const SHOWN: [&str; 13] = [
     "convex",
 ];
 
+/// What the rows of others stand for.
+const DETERMINED: &str = "where the paper gives no mask, the B-spline is the member that the printed SW and GD1 determine; the \
+                          family itself is not known, and its row is not verified";
+const INFERRED: &str = "what the keys stand for is inferred from the paper's text, which has no bibliography; NOTES.md says how";
+
 /// The widest masks of two parameters whose smoothest member is looked for: a search takes seconds.
 const WIDEST_OF_TWO: i64 = 14;
 
@@ -54,8 +61,11 @@ struct Entry<'a> {
     name: &'a str,
     printed: Vec<(&'a str, &'a str)>,
     verdicts: Vec<(&'a str, Agreement)>,
-    rows: Vec<Row>,
+    masks: Vec<String>,
 }
+
+/// What is found about each mask.
+type Findings = BTreeMap<String, Row>;
 
 /// The comparison tables with what is printed, how it stands in the audit, and what is found; and other schemes that the paper
 /// speaks of.
@@ -70,33 +80,44 @@ struct Entry<'a> {
 /// Ranges over one parameter are taken from the certificates of the audit. For each family of two parameters the smoothest
 /// member is searched for, which takes seconds.
 pub(crate) fn comparison(tables: &[Table], audit: &Audit) -> Result<Document, Diagnostic> {
+    let printed = TABLES.iter().filter_map(|id| tables.iter().find(|table| table.id == *id));
+    let mut sections: Vec<(&str, &str, &str, Vec<Entry>)> = Vec::new();
+    for table in printed {
+        let audited = audit.tables.iter().filter(|audited| audited.id == table.id);
+        let cells: Vec<&AuditedCell> = audited.flat_map(|audited| &audited.cells).collect();
+        sections.push((&table.id, &table.title, DETERMINED, entries(table, &cells)));
+    }
+    let other = |[name, mask]: [&'static str; 2]| Entry {
+        name,
+        printed: Vec::new(),
+        verdicts: Vec::new(),
+        masks: vec![mask.to_string()],
+    };
+    let others = OTHERS.into_iter().map(other).collect();
+    sections.push(("others", "Other schemes of the paper's introduction", INFERRED, others));
+
+    // Most schemes stand in two tables.
+    let entries = sections.iter().flat_map(|(.., entries)| entries);
+    let masks: BTreeSet<&String> = entries.flat_map(|entry| &entry.masks).collect();
+    let row = |mask: &String| {
+        let scheme = Scheme::resolve(mask, 2)?;
+        Ok((mask.clone(), Row::new(&scheme, smoothness(&scheme, &audit.certificates))))
+    };
+    let findings: Findings = masks.into_par_iter().map(row).collect::<Result<_, Diagnostic>>()?;
+
     let (mut grids, mut data) = (Vec::new(), Vec::new());
-    for id in TABLES {
-        let Some(table) = tables.iter().find(|table| table.id == id) else { continue };
-        let audited = audit.tables.iter().filter(|table| table.id == id);
-        let cells: Vec<&AuditedCell> = audited.flat_map(|table| &table.cells).collect();
-        let entries = entries(table, &cells, &audit.certificates)?;
-        grids.push(grid(id, &table.title, &entries));
-        data.push(json!({"id": id, "rows": entries.iter().map(Entry::json).collect::<Value>()}));
+    for (id, title, remark, entries) in sections {
+        grids.push(grid(id, title, remark, &entries, &findings));
+        let rows: Value = entries.iter().map(|entry| entry.json(&findings)).collect();
+        data.push(json!({"id": id, "rows": rows}));
     }
-    let mut others = Vec::new();
-    for [name, mask] in OTHERS {
-        let rows = rows(&[mask.to_string()], &audit.certificates)?;
-        others.push(Entry { name, printed: Vec::new(), verdicts: Vec::new(), rows });
-    }
-    grids.push(grid("others", "Other schemes of the paper's introduction", &others));
-    data.push(json!({"id": "others", "rows": others.iter().map(Entry::json).collect::<Value>()}));
     if let Some(last) = grids.last_mut() {
-        last.remarks = REMARKS.map(String::from).to_vec();
+        last.remarks.extend(REMARKS.map(String::from));
     }
     Ok(Document { grids, summary: None, json: json!({"tables": data}) })
 }
 
-fn entries<'a>(
-    table: &'a Table,
-    audited: &[&AuditedCell],
-    certificates: &CertificateStore,
-) -> Result<Vec<Entry<'a>>, Diagnostic> {
+fn entries<'a>(table: &'a Table, audited: &[&AuditedCell]) -> Vec<Entry<'a>> {
     let mut names: Vec<&str> = table.cells.iter().map(|cell| cell.row.as_str()).collect();
     names.dedup();
     let entry = |name: &'a str| {
@@ -115,12 +136,12 @@ fn entries<'a>(
             Some((column, cell.agreement))
         };
         let columns = cells.iter().map(|cell| cell.column.as_str());
-        Ok(Entry {
+        Entry {
             name,
             printed: cells.iter().map(|cell| (&*cell.column, &*cell.printed)).collect(),
             verdicts: columns.filter_map(verdict).collect(),
-            rows: rows(&masks, certificates)?,
-        })
+            masks,
+        }
     };
     names.into_iter().map(entry).collect()
 }
@@ -130,14 +151,6 @@ fn determined(table: &Table, row: &str) -> Option<String> {
     let number = |column: &str| table.cell(row, column)?.printed.parse::<u32>().ok();
     let (width, degree) = (number("SW")?, number("GD1")?);
     (width == degree + 1).then(|| format!("bspline{degree}"))
-}
-
-fn rows(masks: &[String], certificates: &CertificateStore) -> Result<Vec<Row>, Diagnostic> {
-    let row = |mask: &String| {
-        let scheme = Scheme::resolve(mask, 2)?;
-        Ok(Row::new(&scheme, smoothness(&scheme, certificates)))
-    };
-    masks.par_iter().map(row).collect()
 }
 
 fn smoothness(scheme: &Scheme, certificates: &CertificateStore) -> Smoothness {
@@ -159,26 +172,26 @@ fn shown(row: &Row) -> Vec<Cell> {
     cells.filter(|(title, _)| SHOWN.contains(title)).map(|(_, cell)| cell).collect()
 }
 
-fn grid(id: &str, title: &str, entries: &[Entry]) -> Grid {
+fn grid(id: &str, title: &str, remark: &str, entries: &[Entry], findings: &Findings) -> Grid {
     let header = ["row", "printed", "audit"].into_iter().chain(SHOWN);
     Grid {
         id: id.into(),
         caption: title.into(),
         header: header.map(String::from).collect(),
-        rows: entries.iter().flat_map(Entry::lines).collect(),
-        remarks: Vec::new(),
+        rows: entries.iter().flat_map(|entry| entry.lines(findings)).collect(),
+        remarks: vec![remark.into()],
     }
 }
 
 impl Entry<'_> {
     /// A line for each scheme, what is printed at the first; one without findings if there is none.
-    fn lines(&self) -> Vec<Vec<Cell>> {
+    fn lines(&self, findings: &Findings) -> Vec<Vec<Cell>> {
         let printed: Vec<String> =
             self.printed.iter().map(|(c, text)| format!("{c} {text}")).collect();
         let first =
             [Cell::name(self.name), Cell::name(printed.join(", ")), Cell::text(self.verdict())];
         let blank = |n: usize| vec![Cell::text(""); n];
-        let mut found: Vec<Vec<Cell>> = self.rows.iter().map(shown).collect();
+        let mut found: Vec<Vec<Cell>> = self.rows(findings).map(shown).collect();
         if found.is_empty() {
             found.push([vec![Cell::text("mask not known")], blank(SHOWN.len() - 1)].concat());
         }
@@ -200,12 +213,16 @@ impl Entry<'_> {
         }
     }
 
-    fn json(&self) -> Value {
+    fn rows<'f>(&'f self, findings: &'f Findings) -> impl Iterator<Item = &'f Row> {
+        self.masks.iter().filter_map(|mask| findings.get(mask))
+    }
+
+    fn json(&self, findings: &Findings) -> Value {
         let printed: Map<String, Value> =
             self.printed.iter().map(|(c, text)| (c.to_string(), json!(text))).collect();
         let verdicts: Map<String, Value> =
             self.verdicts.iter().map(|(c, a)| (c.to_string(), json!(a.word()))).collect();
-        let found: Vec<Value> = self.rows.iter().map(Row::json).collect();
+        let found: Vec<Value> = self.rows(findings).map(Row::json).collect();
         json!({"row": self.name, "printed": printed, "audit": verdicts, "found": found})
     }
 }
