@@ -1,6 +1,8 @@
-//! The Hölder exponent over two parameters: how it runs, and where it is largest.
+//! The Hölder exponent over two parameters: how it runs, and where it is largest; over one parameter, where it is
+//! largest.
 
-use refinable_algebra::{Rational, Ring};
+use refinable_algebra::{Integer, Rational, Ring};
+use refinable_reals::{Interval, Region};
 use refinable_scheme::{Diagnostic, Normalised};
 use refinable_spectral::{Options, PlanePencil, Window, decay, outline, slowest};
 
@@ -51,6 +53,9 @@ pub enum Locus {
 
 /// How near to the least growth summits are, as powers of two, tried in turn.
 const TOLERANCES: [u32; 5] = [12, 9, 7, 6, 4];
+/// The same where a summit has to be found at once: nearer to the least growth more words grow nearly as fast as the fastest,
+/// and a proof takes a minute or fails.
+const COARSE: [u32; 2] = [5, 4];
 /// Steps on each line.
 const STEPS: i64 = 512;
 
@@ -145,10 +150,7 @@ fn slowest_on(
     direction: &[Rational; 2],
 ) -> Vec<Vec<[Rational; 2]>> {
     let Some(masks) = plane.along(origin, direction) else { return Vec::new() };
-    let order = Line::through(plane.name(), plane.arity(), None, masks.clone()).order();
-    let scale = Rational::from_i64(plane.arity() as i64).power(order as u32 - 1);
-    let of = |part| letters(part, plane.arity(), order, plane.extent(), &scale);
-    let pencil = PlanePencil::new(&[(0, 0, of(&masks[0])), (1, 0, of(&masks[1]))]);
+    let line = Line::through(plane.name(), plane.arity(), None, masks);
     let point = |t: &Rational| {
         let point = [0, 1].map(|i| &origin[i] + &direction[i] * t);
         plane.parameters_at(&point).filter(|parameters| contains(window, parameters))
@@ -167,9 +169,61 @@ fn slowest_on(
     let runs = nodes.split(|t| point(t).is_none()).filter(|run| run.len() > 1);
     let slowest = runs.map(|run| {
         let span = [run[0].clone(), run[run.len() - 1].clone()];
-        let zero = [Rational::zero(), Rational::zero()];
-        let places = slowest(&pencil, &[span, zero], &TOLERANCES);
-        places.iter().filter_map(|[t, _]| point(t)).collect()
+        slowest_between(&line, span, &TOLERANCES).iter().filter_map(&point).collect()
     });
     slowest.collect()
+}
+
+/// Places at which words grow least between two `x` of a line, for each tolerance.
+fn slowest_between(line: &Line, span: [Rational; 2], tolerances: &[u32]) -> Vec<Rational> {
+    let order = line.order();
+    let scale = Rational::from_i64(line.arity() as i64).power(order as u32 - 1);
+    let (base, direction) = line.parts();
+    let of = |part| letters(part, line.arity(), order, line.extent(), &scale);
+    let pencil = PlanePencil::new(&[(0, 0, of(base)), (1, 0, of(direction))]);
+    let zero = [Rational::zero(), Rational::zero()];
+    let places = slowest(&pencil, &[span, zero], tolerances);
+    places.into_iter().map(|[x, _]| x).collect()
+}
+
+/// The smoothest member of a family of one parameter that is found in a set of its values, where the family
+/// converges, and its exponent. Where it is is searched for; the exponent is proved.
+///
+/// `None` if no exponent was enclosed: the family runs along no line of masks, or the set is empty or holds single irrational
+/// values only. Unbounded intervals are not searched.
+///
+/// # Cost
+/// One search with floats for each interval, and [`regularity`] at one value or a few.
+pub fn smoothest_in(
+    name: &str,
+    mask: &Normalised,
+    region: &Region,
+) -> Option<(Rational, Regularity)> {
+    let line = Line::new(name, mask)?;
+    let certified = |t: Rational| {
+        let member = mask.at(std::slice::from_ref(&t)).ok()?;
+        Some((t, regularity(name, &member, &Options::default()).ok()?))
+    };
+    let best_of = |interval: &Interval| -> Option<(Rational, Regularity)> {
+        match interval.as_point() {
+            Some(point) => certified(point.as_rational()?.clone()),
+            None => places_in(&line, interval).into_iter().find_map(certified),
+        }
+    };
+    let found = region.intervals().iter().filter_map(best_of).collect::<Vec<_>>().into_iter();
+    // The first of equal ones.
+    found.reduce(|best, next| if next.1.lower > best.1.lower { next } else { best })
+}
+
+/// Values of the family's parameter near where words grow least in an interval.
+fn places_in(line: &Line, interval: &Interval) -> Vec<Rational> {
+    let width = Rational::new(1.into(), Integer::from(1) << 60usize);
+    let (Some(lower), Some(upper)) = (interval.lower.number(), interval.upper.number()) else {
+        return Vec::new();
+    };
+    let ends = [lower.enclosure(&width).1, upper.enclosure(&width).0];
+    let Some(mut span) = line.project(&ends) else { return Vec::new() };
+    span.sort();
+    let places = slowest_between(line, span, &COARSE);
+    places.iter().filter_map(|x| line.lift(x)).filter(|t| ends[0] <= *t && *t <= ends[1]).collect()
 }

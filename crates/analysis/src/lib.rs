@@ -13,10 +13,11 @@
 //! | `plane` | [`Plane`]: families of two parameters, as planes of masks |
 //! | `level_one` | the polygon that norms at level one prove, of a [`Plane`] |
 //! | `map` | [`Map`]: where in a box of two parameters C^n holds and fails, with the certificate |
-//! | `landscape` | [`Landscape`]: the Hölder exponent over two parameters, and the smoothest members |
+//! | `landscape` | [`Landscape`]: the Hölder exponent over two parameters, and the smoothest members; of one parameter too |
 //! | `stability` | where smoothness follows contraction; reduced masks |
 //! | `continuity`, `proof` | [`ContinuityRange`]: where C^n holds and fails, with the certificate |
 //! | `regularity` | [`Regularity`]: the Hölder exponent of one scheme |
+//! | `shape` | [`ShapeVerdict`]: whether limits keep signs, monotonicity, convexity, and the bounds of a step |
 //! | `classification` | [`Classification`]: interpolatory, approximating, combined, relaxed |
 //! | `budget` | [`Budget`]: limits, checked before work starts |
 
@@ -40,6 +41,7 @@ mod piecewise;
 mod power;
 mod proof;
 mod regularity;
+mod shape;
 mod sublevel;
 
 pub use budget::Budget;
@@ -52,7 +54,7 @@ pub use contractivity::{NormRange, Work, norm_range, norm_values};
 pub use degrees::{Degrees, GenerationDegree, ReproductionDegree, Stratum, degrees};
 pub use difference::{ClearedSymbol, DifferenceSymbol};
 pub use interproximation::{TensionChoice, interpolating_value, interproximate_tensions};
-pub use landscape::{Landscape, Locus, Summit, landscape, smooth_window};
+pub use landscape::{Landscape, Locus, Summit, landscape, smooth_window, smoothest_in};
 pub use line::Line;
 pub use map::{Area, Fineness, Map, MapVerdict, certified_map, default_window, map};
 pub use norm::{Comparison, Norm, NormRow};
@@ -60,3 +62,4 @@ pub use piecewise::RowCondition;
 pub use plane::Plane;
 pub use refinable_spectral::{Options, Window};
 pub use regularity::{Regularity, regularity};
+pub use shape::{ShapeVerdict, Witness, keeps_steps, preserves};

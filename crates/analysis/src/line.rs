@@ -123,6 +123,26 @@ impl Line {
         }
     }
 
+    /// The `x` of values of the family's parameter; `None` at a pole.
+    pub(crate) fn project<const N: usize>(&self, values: &[Rational; N]) -> Option<[Rational; N]> {
+        let Some(curve) = &self.curve else { return Some(values.clone()) };
+        let bottoms = values.each_ref().map(|t| curve.line.1.evaluate(t));
+        let tops = values.each_ref().map(|t| curve.line.0.evaluate(t));
+        let defined = bottoms.iter().all(|bottom| !bottom.is_zero());
+        defined.then(|| std::array::from_fn(|i| &tops[i] / &bottoms[i]))
+    }
+
+    /// The value of the family's parameter at a rational `x`; `None` if it is infinite.
+    pub(crate) fn lift(&self, x: &Rational) -> Option<Rational> {
+        match &self.curve {
+            None => Some(x.clone()),
+            Some(curve) => {
+                let change = Moebius::new(&curve.line.0, &curve.line.1);
+                change.inverse(&x.clone().into())?.as_rational().cloned()
+            }
+        }
+    }
+
     /// The only member of the family at `x`, as a line without direction.
     pub fn at(&self, x: &Rational) -> Self {
         Line {
@@ -206,7 +226,7 @@ impl Line {
     }
 
     /// The lowest exponent and the number of coefficients on the whole line.
-    fn extent(&self) -> (i64, usize) {
+    pub(crate) fn extent(&self) -> (i64, usize) {
         let supports = [self.base.support(), self.direction.support()];
         let supports: Vec<(i64, i64)> = supports.into_iter().flatten().collect();
         let lowest = supports.iter().map(|s| s.0).min().unwrap_or(0);

@@ -48,7 +48,7 @@ impl<'a> Moebius<'a> {
     }
 
     /// The `t` with `P(t) = x Q(t)`; `None` if it is infinite.
-    fn inverse(&self, x: &RealAlgebraic) -> Option<RealAlgebraic> {
+    pub fn inverse(&self, x: &RealAlgebraic) -> Option<RealAlgebraic> {
         let [p0, p1] = [0, 1].map(|k| self.numerator.coefficient(k));
         let [q0, q1] = [0, 1].map(|k| self.denominator.coefficient(k));
         if let Some(x) = x.as_rational() {

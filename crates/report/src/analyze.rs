@@ -8,6 +8,7 @@ use serde_json::{Map, Value, json};
 use crate::compare::{Smoothness, in_hulls, scheme_norm};
 use crate::degrees::{condition, solutions};
 use crate::grid::{Cell, Document, Grid};
+use crate::shape::Shape;
 use crate::show::{pole, words};
 
 /// The quantities of a scheme, each with its value.
@@ -49,7 +50,14 @@ pub fn analyze(scheme: &Scheme) -> Document {
             (None, None) => "none".into(),
         },
     );
-    page.line("Hölder exponent", smoothness.holder.unwrap_or_default());
+    let shape = Shape::of(mask, &smoothness);
+    // Over one parameter the range says where it is smooth, and not where it is smoothest.
+    let smoothest = smoothness.smoothest.filter(|at| smoothness.place.as_ref() != Some(at));
+    let at = smoothest.map_or_else(String::new, |at| format!(", {at}"));
+    page.line(
+        "Hölder exponent",
+        smoothness.holder.map_or_else(String::new, |r| format!("{r}{at}")),
+    );
     page.line(
         "stable shifts",
         match smoothness.stable {
@@ -77,6 +85,9 @@ pub fn analyze(scheme: &Scheme) -> Document {
             None => String::new(),
         },
     );
+    for (name, sentence) in shape.iter().flat_map(Shape::sentences) {
+        page.line(name, sentence);
+    }
     page.document(scheme)
 }
 

@@ -2,14 +2,17 @@
 
 use refinable_algebra::{Ordered, Rational, decimal};
 use refinable_analysis::{
-    Degrees, Options, Regularity, Sharpness, classify, degrees, landscape, regularity,
-    smooth_window,
+    ContinuityRange, Degrees, Options, Regularity, Sharpness, classify, degrees, landscape,
+    regularity, smooth_window, smoothest_in,
 };
+use refinable_reals::Region;
 use refinable_scheme::{Diagnostic, Normalised, Scheme};
 use serde_json::{Value, json};
 
+use crate::audit::short;
 use crate::grid::{Cell, Document, Grid};
 use crate::regularity::exact_text;
+use crate::shape::Shape;
 use crate::sharp::sharp_range;
 use crate::show::words;
 
@@ -21,10 +24,14 @@ const WIDEST: i64 = 28;
 pub(crate) struct Smoothness {
     /// The largest `n` for which C^n is proved somewhere.
     pub continuity: Option<usize>,
-    /// The Hölder exponent there, if it is known.
-    pub holder: Option<String>,
-    /// The values of the parameters.
+    /// The values of the parameters there, in short.
     pub place: Option<String>,
+    /// The same exactly.
+    pub exact_place: Option<String>,
+    /// The Hölder exponent of the smoothest member that was found.
+    pub holder: Option<String>,
+    /// The values of its parameters.
+    pub smoothest: Option<String>,
     /// Whether shifts are stable; of single schemes.
     pub stable: Option<bool>,
     /// Why nothing is found.
@@ -32,15 +39,20 @@ pub(crate) struct Smoothness {
 }
 
 impl Smoothness {
-    /// The best that is proved: of a scheme itself, over one parameter by the ranges of all orders, over two by the
-    /// smoothest member found.
+    /// The best that is proved: of a scheme itself, over one parameter by the ranges of all orders and the smoothest member
+    /// found in the last of them, over two by the smoothest member found.
     pub fn of(scheme: &Scheme) -> Self {
+        Smoothness::with(scheme, &|n| sharp_range(scheme, n, &Sharpness::default()))
+    }
+
+    /// The same, with the ranges over one parameter from elsewhere.
+    pub fn with(scheme: &Scheme, range: &Ranging) -> Self {
         let found = match scheme.mask().parameters().len() {
             1.. if scheme.mask().support_width() > Rational::from_integer(WIDEST.into()) => {
                 Err(Diagnostic::new("budget", "the masks are too long for a search"))
             }
             0 => Smoothness::of_single(scheme),
-            1 => Smoothness::over_one(scheme),
+            1 => Smoothness::over_one(scheme, range),
             2 => Smoothness::over_two(scheme),
             _ => Err(Diagnostic::new("parameters", "more than two parameters")),
         };
@@ -58,20 +70,29 @@ impl Smoothness {
         Ok(Smoothness { continuity, holder, stable, ..Smoothness::default() })
     }
 
-    fn over_one(scheme: &Scheme) -> Result<Self, Diagnostic> {
-        let mut best = Smoothness::default();
+    fn over_one(scheme: &Scheme, range: &Ranging) -> Result<Self, Diagnostic> {
+        let mut best: Option<(usize, ContinuityRange)> = None;
         // Beyond the highest degree of generation there is nothing.
         let highest = strata_maximum(&degrees(scheme.mask()), |s| s.generation.0);
         for n in 0..=highest {
-            let found = sharp_range(scheme, n, &Sharpness::default())?;
+            let found = range(n)?;
             if found.proved.is_empty() {
                 break;
             }
-            let name = found.parameter.name();
-            best.continuity = Some(n);
-            best.place = Some(format!("{name} in {}", found.proved.display(name)));
+            best = Some((n, found));
         }
-        Ok(best)
+        let Some((n, found)) = best else { return Ok(Smoothness::default()) };
+        let name = found.parameter.name();
+        let (mask, arity) = (scheme.mask(), scheme.mask().arity());
+        let summit = smoothest_in(scheme.name(), mask, &found.proved);
+        Ok(Smoothness {
+            continuity: Some(n),
+            place: Some(within(&found.proved, name)),
+            exact_place: Some(format!("{name} in {}", found.proved.display(name))),
+            holder: summit.as_ref().map(|(_, found)| exponent(found, arity)),
+            smoothest: summit.map(|(x, _)| format!("{name} = {x}")),
+            ..Smoothness::default()
+        })
     }
 
     fn over_two(scheme: &Scheme) -> Result<Self, Diagnostic> {
@@ -84,11 +105,23 @@ impl Smoothness {
         Ok(Smoothness {
             continuity: summit.regularity.continuity,
             holder: Some(exponent(&summit.regularity, mask.arity())),
-            place: Some(place),
+            place: Some(place.clone()),
+            exact_place: Some(place.clone()),
+            smoothest: Some(place),
             ..Smoothness::default()
         })
     }
 }
+
+/// `alpha ∈ (0, 1/8)`; where there are single values, these have the name already.
+fn within(region: &Region, name: &str) -> String {
+    let text = short(region, name);
+    let has_points = region.intervals().iter().any(|interval| interval.as_point().is_some());
+    if has_points { text } else { format!("{name} ∈ {text}") }
+}
+
+/// Where C^n is proved over the one parameter of a family.
+pub(crate) type Ranging<'a> = dyn Fn(usize) -> Result<ContinuityRange, Diagnostic> + 'a;
 
 /// The exact exponent if it is short, else a lower bound.
 fn exponent(found: &Regularity, arity: usize) -> String {
@@ -124,41 +157,53 @@ pub(crate) fn in_hulls(mask: &Normalised) -> Option<bool> {
 
 /// A row for each scheme.
 pub fn compare(schemes: &[Scheme]) -> Document {
-    let header = [
-        "scheme",
-        "support width",
-        "parameters",
-        "type",
-        "GD, all",
-        "GD, best",
-        "RD, all",
-        "RD, best",
-        "approximation order",
-        "C^n",
-        "Hölder exponent",
-        "where",
-        "stable shifts",
-        "norm",
-        "convex hull",
-    ];
-    let rows: Vec<Row> = schemes.iter().map(Row::new).collect();
+    let of = |scheme: &Scheme| Row::new(scheme, Smoothness::of(scheme));
+    let rows: Vec<Row> = schemes.iter().map(of).collect();
     let grid = Grid {
         id: "compare".into(),
         caption: "Schemes side by side".into(),
-        header: header.map(String::from).to_vec(),
+        header: HEADER.map(String::from).to_vec(),
         rows: rows.iter().map(Row::cells).collect(),
-        remarks: vec![
-            "GD, RD: degrees of polynomial generation and reproduction, for all values of the parameters and at the best \
-             ones"
-                .into(),
-            "C^n, exponent: proved, at the values named; over two parameters at the smoothest member found".into(),
-        ],
+        remarks: REMARKS.map(String::from).to_vec(),
     };
     let json = json!({"schemes": rows.iter().map(Row::json).collect::<Value>()});
     Document { grids: vec![grid], summary: None, json }
 }
 
-struct Row {
+/// The columns of a comparison.
+pub(crate) const HEADER: [&str; 19] = [
+    "scheme",
+    "support width",
+    "parameters",
+    "type",
+    "GD, all",
+    "GD, best",
+    "RD, all",
+    "RD, best",
+    "approximation order",
+    "C^n",
+    "where",
+    "Hölder exponent",
+    "attained at",
+    "stable shifts",
+    "norm",
+    "convex hull",
+    "overshoot",
+    "monotone",
+    "convex",
+];
+
+/// What the columns mean.
+pub(crate) const REMARKS: [&str; 3] = [
+    "GD, RD: degrees of polynomial generation and reproduction, for all values of the parameters and at the best \
+     ones",
+    "C^n, exponent: proved, at the values named; the exponent is that of the smoothest member found",
+    "overshoot: of the limit of a step of height 1, none or at least so much, beside the step at 0; monotone, convex: \
+     whether limits of such data are such; single schemes only",
+];
+
+/// A scheme of a comparison.
+pub(crate) struct Row {
     name: String,
     width: String,
     parameters: Vec<String>,
@@ -168,10 +213,12 @@ struct Row {
     smoothness: Smoothness,
     norm: Option<Rational>,
     hull: Option<bool>,
+    shape: Option<Shape>,
 }
 
 impl Row {
-    fn new(scheme: &Scheme) -> Self {
+    /// What is found about a scheme, whose smoothness is known.
+    pub fn new(scheme: &Scheme, smoothness: Smoothness) -> Self {
         let mask = scheme.mask();
         let found = degrees(mask);
         let best = |f: fn(&refinable_analysis::Stratum) -> usize| {
@@ -184,21 +231,23 @@ impl Row {
             kind: words(&classify(mask)),
             generation: best(|s| s.generation.0),
             reproduction: best(|s| s.reproduction.0),
-            smoothness: Smoothness::of(scheme),
+            shape: Shape::of(mask, &smoothness),
+            smoothness,
             norm: scheme_norm(mask),
             hull: in_hulls(mask),
         }
     }
 
-    fn cells(&self) -> Vec<Cell> {
+    /// A cell for each column of [`HEADER`].
+    pub fn cells(&self) -> Vec<Cell> {
         let yes = |value: Option<bool>| match value {
             Some(true) => "yes".to_string(),
             Some(false) => "no".to_string(),
             None => String::new(),
         };
         let s = &self.smoothness;
+        let shape = |text: fn(&Shape) -> String| self.shape.as_ref().map(text).unwrap_or_default();
         let texts = [
-            self.name.clone(),
             self.width.clone(),
             self.parameters.join(", "),
             self.kind.join(", "),
@@ -209,16 +258,21 @@ impl Row {
             (self.reproduction[0] + 1).to_string(),
             s.continuity
                 .map_or_else(|| s.problem.clone().unwrap_or("none".into()), |n| format!("C^{n}")),
-            s.holder.clone().unwrap_or_default(),
             s.place.clone().unwrap_or_default(),
+            s.holder.clone().unwrap_or_default(),
+            s.smoothest.clone().unwrap_or_default(),
             yes(s.stable),
             self.norm.as_ref().map(ToString::to_string).unwrap_or_default(),
             yes(self.hull),
+            shape(Shape::overshoot),
+            shape(Shape::monotone),
+            shape(Shape::convex),
         ];
-        texts.map(Cell::text).to_vec()
+        std::iter::once(Cell::name(&self.name)).chain(texts.map(Cell::text)).collect()
     }
 
-    fn json(&self) -> Value {
+    /// The same as data.
+    pub fn json(&self) -> Value {
         let s = &self.smoothness;
         json!({
             "scheme": self.name,
@@ -229,11 +283,13 @@ impl Row {
             "reproduction": {"all": self.reproduction[0], "best": self.reproduction[1]},
             "approximation_order": self.reproduction[0] + 1,
             "continuity": s.continuity,
+            "where": s.exact_place,
             "holder": s.holder,
-            "where": s.place,
+            "attained_at": s.smoothest,
             "stable": s.stable,
             "norm": self.norm.as_ref().map(ToString::to_string),
             "convex_hull": self.hull,
+            "shape": self.shape.as_ref().map(Shape::json),
             "problem": s.problem,
         })
     }

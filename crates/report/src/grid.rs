@@ -19,6 +19,13 @@ impl Cell {
         Cell { plain, latex }
     }
 
+    /// A name, whatever it looks like.
+    pub fn name(plain: impl Into<String>) -> Self {
+        let plain = plain.into();
+        let latex = latex::escape(&plain);
+        Cell { plain, latex }
+    }
+
     /// A formula with its own LaTeX, in math mode.
     pub fn math(plain: impl Into<String>, latex: &str) -> Self {
         Cell { plain: plain.into(), latex: format!("${latex}$") }
@@ -119,7 +126,9 @@ impl Grid {
     fn widths(&self) -> Vec<usize> {
         let longest = |column: usize| {
             let cells = self.rows.iter().map(|row| row[column].plain.chars().count());
-            cells.chain([self.header[column].len()]).max().unwrap_or(0).clamp(10, 48)
+            // Titles break between words.
+            let words = self.header[column].split(' ').map(|word| word.chars().count());
+            cells.chain(words).max().unwrap_or(0).clamp(10, 48)
         };
         let sizes: Vec<usize> = (0..self.header.len()).map(longest).collect();
         let total: usize = sizes.iter().sum();
@@ -131,7 +140,8 @@ impl Grid {
             format!(">{{\\raggedright\\arraybackslash}}p{{{}\\linewidth}}", two_digits(percent))
         };
         let columns: String = self.widths().into_iter().map(column).collect();
-        let header: Vec<String> = self.header.iter().map(|title| latex::escape(title)).collect();
+        let header: Vec<String> =
+            self.header.iter().map(|title| latex::formula_or_text(title)).collect();
         let mut text = format!(
             "\\begin{{longtable}}{{{}}}\n\\caption{{{}}}\\\\\n\\toprule\n{} \\\\\n\\midrule\n\\endhead\n",
             columns,

@@ -5,6 +5,7 @@
 //! | `grid` | [`Document`], [`Grid`], [`Cell`]: tables as data, rendered as md, csv, tex and json |
 //! | `latex`, `number` | exact quantities as LaTeX and as JSON |
 //! | `show`, `degrees`, `range`, `sharp`, `regularity`, `norm` | one document for each analysis |
+//! | `shape` | what limits keep of the shape of their data |
 //! | `map`, `map_picture` | [`Maps`]: orders of continuity over two parameters, as data and as SVG |
 //! | `landscape` | [`HolderMap`]: the Hölder exponent over two parameters, as data and as SVG |
 //! | `scan` | [`Scan`]: a quantity at every point of a grid |
@@ -12,6 +13,7 @@
 //! | `curve`, `surface`, `basis` | [`Curve`], [`TensorSurface`], [`Basis`]: refined points, limits, as data and as SVG |
 //! | `compare`, `analyze` | schemes side by side; one scheme on a page |
 //! | `explorer` | [`Explorer`]: a family as one page to explore, with certified verdicts at every point |
+//! | `comparison` | the paper's comparison tables rebuilt |
 //! | `expect` | [`check`]: what scheme files expect, against what is found |
 //! | `export` | [`export()`]: a scheme in another [`Language`]; `dialect`: how languages write polynomials |
 //! | `interproximate` | [`Assignment`]: tensions at every control point |
@@ -33,6 +35,7 @@ mod audit;
 mod basis;
 mod canvas;
 mod compare;
+mod comparison;
 mod curve;
 mod degrees;
 mod dialect;
@@ -59,6 +62,7 @@ mod regularity;
 mod rule_picture;
 mod scan;
 mod schemes;
+mod shape;
 mod sharp;
 mod show;
 mod site;

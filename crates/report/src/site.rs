@@ -6,6 +6,7 @@ use refinable_papers::Paper;
 use refinable_scheme::Diagnostic;
 
 use crate::audit::{Audit, AuditedTable, CertificateStore};
+use crate::comparison::comparison;
 use crate::families::FamilyMaps;
 use crate::figures;
 use crate::grid::Document;
@@ -14,11 +15,11 @@ use crate::picture;
 /// The generated files of a report by their path, `/` between folders.
 pub type Site = BTreeMap<String, String>;
 
-/// The report of an audit: an index, each table as md, csv, tex and json, and a page for each family of two
-/// parameters. `NOTES.md` beside them is written by hand and not part of it.
+/// The report of an audit: an index, each table as md, csv, tex and json, the comparison tables rebuilt, and a page for each
+/// family of two parameters. `NOTES.md` beside them is written by hand and not part of it.
 ///
 /// # Errors
-/// Those of the pictures of families.
+/// Those of the pictures of families; a scheme that cannot be resolved.
 pub fn report_site(
     paper: &Paper,
     audit: &Audit,
@@ -32,15 +33,12 @@ pub fn report_site(
     figures::publish(&mut site)?;
     site.insert("tables.json".into(), audit.document().json_text());
     site.insert("tables.tex".into(), latex_document(audit));
+    publish(&mut site, "comparison", &comparison(&paper.tables, audit)?);
     for table in &audit.tables {
         let document = Document { grids: vec![table.grid()], summary: None, json: table.json() };
-        let path = |extension: &str| format!("tables/{}.{extension}", table.id);
-        site.insert(path("md"), document.markdown());
-        site.insert(path("csv"), document.csv());
-        site.insert(path("tex"), document.latex());
-        site.insert(path("json"), document.json_text());
+        publish(&mut site, &format!("tables/{}", table.id), &document);
         if let Some(svg) = picture::ranges(table) {
-            site.insert(path("svg"), svg);
+            site.insert(format!("tables/{}.svg", table.id), svg);
         }
     }
     for (name, certificate) in &audit.certificates {
@@ -48,6 +46,14 @@ pub fn report_site(
         site.insert(format!("{CERTIFICATES}/{name}.json"), json);
     }
     Ok(site)
+}
+
+/// A document as md, csv, tex and json.
+fn publish(site: &mut Site, path: &str, document: &Document) {
+    site.insert(format!("{path}.md"), document.markdown());
+    site.insert(format!("{path}.csv"), document.csv());
+    site.insert(format!("{path}.tex"), document.latex());
+    site.insert(format!("{path}.json"), document.json_text());
 }
 
 /// The folder of a report that holds its certificates.
@@ -71,6 +77,10 @@ fn index(paper: &Paper, audit: &Audit, families: &[FamilyMaps]) -> String {
     for table in &audit.tables {
         text.push_str(&index_row(table, audit.level));
     }
+    text.push_str(
+        "\nThe comparison tables rebuilt from masks, with the shape of limits and more schemes of others: \
+         [comparison.md](comparison.md), [csv](comparison.csv), [tex](comparison.tex), [json](comparison.json).\n",
+    );
     text.push_str("\nWhere the families of two parameters are C^n, over both of them:\n\n");
     families.iter().for_each(|family| text.push_str(&family.index_line()));
     text.push_str("\nThe figures of the paper, drawn anew: [figures](figures/README.md).\n");
@@ -102,6 +112,6 @@ fn latex_document(audit: &Audit) -> String {
     for table in &audit.tables {
         text.push_str(&format!("\\input{{tables/{}.tex}}\n", table.id));
     }
-    text.push_str("\\end{document}\n");
+    text.push_str("\\input{comparison.tex}\n\\end{document}\n");
     text
 }

@@ -16,6 +16,7 @@ use refinable_scheme::Diagnostic;
 
 pub(crate) use continuity::short;
 use workbench::Workbench;
+pub(crate) use workbench::certified;
 pub use workbench::{CertificateStore, Effort};
 
 /// How a finding stands to a claim, from the best to the worst.

@@ -82,11 +82,7 @@ impl Workbench {
         self.ranges.get((key(scheme), continuity), || {
             let name = certificate_name(scheme, continuity);
             let mask = scheme.mask();
-            let earlier = self
-                .known
-                .get(&name)
-                .and_then(|known| certified_range(mask, parameter, continuity, known));
-            let range = match earlier {
+            let range = match certified(&self.known, scheme, parameter, continuity) {
                 Some(range) => range,
                 None => {
                     let sharpness = Sharpness::default();
@@ -145,6 +141,17 @@ impl Workbench {
             norm_values(scheme.mask(), continuity, self.effort.level, self.effort.budget)
         })
     }
+}
+
+/// The range of C^n that one of the certificates proves.
+pub(crate) fn certified(
+    known: &CertificateStore,
+    scheme: &Scheme,
+    parameter: &Parameter,
+    continuity: usize,
+) -> Option<ContinuityRange> {
+    let certificate = known.get(&certificate_name(scheme, continuity))?;
+    certified_range(scheme.mask(), parameter, continuity, certificate)
 }
 
 /// Equal masks have equal results, whatever the schemes are called.
