@@ -1,16 +1,19 @@
 //! Documents on standard output.
 
 use std::io::{self, Write};
+use std::iter;
 
 use comfy_table::presets::UTF8_HORIZONTAL_ONLY;
 use comfy_table::{ContentArrangement, LineStyle, Table, TableStyle};
-use refinable_report::{Document, Grid};
+use refinable_report::{Cell, Document, Grid};
 
 use crate::arguments::Format;
 use crate::failure::Failure;
 
 /// The width of tables that are not printed to a terminal.
 const WIDTH: u16 = 160;
+/// A table with more columns is printed with its columns as lines.
+const MOST_COLUMNS: usize = 14;
 /// Lines above and below the table and under its header, none between the rows.
 const STYLE: TableStyle = UTF8_HORIZONTAL_ONLY.row_separator(LineStyle::none());
 
@@ -56,10 +59,16 @@ fn grid(grid: &Grid) -> String {
     if !table.is_tty() {
         table.set_width(WIDTH);
     }
-    table.set_header(&grid.header);
-    for row in &grid.rows {
-        table.add_row(row.iter().map(|cell| &cell.plain));
+    let plain = |row: &Vec<Cell>| row.iter().map(|cell| cell.plain.clone()).collect();
+    let mut lines: Vec<Vec<String>> =
+        iter::once(grid.header.clone()).chain(grid.rows.iter().map(plain)).collect();
+    if grid.header.len() > MOST_COLUMNS {
+        let column = |k: usize| lines.iter().map(|line| line[k].clone()).collect();
+        lines = (0..grid.header.len()).map(column).collect();
     }
+    let mut lines = lines.into_iter();
+    table.set_header(lines.next().unwrap_or_default());
+    table.add_rows(lines);
     let mut text = format!("{}\n{}\n", grid.caption, table.trim_fmt());
     for remark in &grid.remarks {
         text.push_str(&format!("{remark}\n"));
