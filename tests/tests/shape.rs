@@ -2,8 +2,7 @@
 //! step by step.
 
 use refinable_algebra::{Ordered, Rational, Ring, decimal, rational};
-use refinable_analysis::{ShapeVerdict, Witness, keeps_steps, preserves};
-use refinable_refine::BasicLimit;
+use refinable_refine::{BasicLimit, ShapeVerdict, Witness, keeps_steps, preserves};
 use refinable_scheme::{Normalised, Scheme};
 
 fn mask(text: &str, arity: usize) -> Normalised {

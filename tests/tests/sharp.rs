@@ -7,7 +7,7 @@ use refinable_algebra::{
 };
 use refinable_analysis::{
     Budget, ContinuityRange, Options, PointVerdict, Regularity, Sharpness, continuity_at,
-    continuity_range, highest_continuity, norm_range, regularity,
+    continuity_range, highest_continuity, norm_range, regularity, smoothest_in,
 };
 use refinable_certificate::verify;
 use refinable_reals::{Region, real_roots};
@@ -31,6 +31,28 @@ fn range(family: &Scheme, parameter: &str, continuity: usize) -> ContinuityRange
 
 fn exponent(scheme: &Scheme) -> Regularity {
     regularity(scheme.name(), scheme.mask(), &Options::default()).unwrap()
+}
+
+/// The four-point scheme is smoothest at 1/16 (Dubuc), the J-splines at the quintic B-spline, s = 3/2 (Rossignac
+/// and Schaefer); the ends of a region are obeyed, and of single values the better one is taken.
+#[test]
+fn the_smoothest_members_of_known_families() {
+    let smoothest = |text: &str, region: Region| {
+        let family = scheme(text);
+        let (at, found) = smoothest_in(family.name(), family.mask(), &region).unwrap();
+        (at, found.lower, found.upper)
+    };
+    let [zero, half] = [rational(0, 1), rational(1, 2)];
+    let two = rational(2, 1);
+    let four_point = smoothest("fourpoint(w)", Region::open(zero.clone(), rational(19, 100)));
+    assert_eq!(four_point, (rational(1, 16), two.clone(), two));
+    let five = rational(5, 1);
+    let spline = smoothest("jspline(s)", Region::open(half, rational(3, 1)));
+    assert_eq!(spline, (rational(3, 2), five.clone(), five));
+    let (at, lower, _) = smoothest("jspline(s)", Region::open(zero, rational(1, 1)));
+    assert!(at < rational(1, 1) && lower < rational(4, 1), "{at}: {lower}");
+    let single = [rational(1, 1), rational(3, 2), rational(2, 1)].map(Into::into);
+    assert_eq!(smoothest("jspline(s)", Region::points(single)).0, rational(3, 2));
 }
 
 /// Hechler, Mößner and Reif 2009: C^1 iff 0 < ω < ω*, 32ω³ + 4ω - 1 = 0, ω = -β.

@@ -56,6 +56,8 @@ const TOLERANCES: [u32; 5] = [12, 9, 7, 6, 4];
 /// The same where a summit has to be found at once: nearer to the least growth more words grow nearly as fast as the fastest,
 /// and a proof takes a minute or fails.
 const COARSE: [u32; 2] = [5, 4];
+/// Beside an end that is left out: as far as this part of half of the interval.
+const BESIDE: i64 = 128;
 /// Steps on each line.
 const STEPS: i64 = 512;
 
@@ -225,5 +227,13 @@ fn places_in(line: &Line, interval: &Interval) -> Vec<Rational> {
     let Some(mut span) = line.project(&ends) else { return Vec::new() };
     span.sort();
     let places = slowest_between(line, span, &COARSE);
-    places.iter().filter_map(|x| line.lift(x)).filter(|t| ends[0] <= *t && *t <= ends[1]).collect()
+    // The search may come to an end that does not belong to the interval: beside it then.
+    let region = Region::interval(interval.lower.clone(), interval.upper.clone());
+    let middle = (&ends[0] + &ends[1]) / Rational::from_i64(2);
+    let inward = |t: Rational| match region.contains_rational(&t) {
+        true => t,
+        false => &t + (&middle - &t) / Rational::from_i64(BESIDE),
+    };
+    let found = places.iter().filter_map(|x| line.lift(x)).map(inward);
+    found.filter(|t| region.contains_rational(t)).collect()
 }

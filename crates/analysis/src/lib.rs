@@ -17,7 +17,6 @@
 //! | `stability` | where smoothness follows contraction; reduced masks |
 //! | `continuity`, `proof` | [`ContinuityRange`]: where C^n holds and fails, with the certificate |
 //! | `regularity` | [`Regularity`]: the Hölder exponent of one scheme |
-//! | `shape` | [`ShapeVerdict`]: whether limits keep signs, monotonicity, convexity, and the bounds of a step |
 //! | `classification` | [`Classification`]: interpolatory, approximating, combined, relaxed |
 //! | `budget` | [`Budget`]: limits, checked before work starts |
 
@@ -41,7 +40,6 @@ mod piecewise;
 mod power;
 mod proof;
 mod regularity;
-mod shape;
 mod sublevel;
 
 pub use budget::Budget;
@@ -62,4 +60,3 @@ pub use piecewise::RowCondition;
 pub use plane::Plane;
 pub use refinable_spectral::{Options, Window};
 pub use regularity::{Regularity, regularity};
-pub use shape::{ShapeVerdict, Witness, keeps_steps, preserves};

@@ -10,6 +10,7 @@
 //! | `cascade` | several steps at once, block by block |
 //! | `curve`, `surface` | [`refine`], [`Surface`] |
 //! | `limit` | [`BasicLimit`]: exact values of limits and their derivatives |
+//! | `shape` | [`ShapeVerdict`]: whether limits keep signs, monotonicity, convexity, and the bounds of a step |
 //! | `interproximate` | [`Interproximate`]: tensions of their own at every vertex and edge |
 //! | `memory` | how much a result may take |
 //!
@@ -24,6 +25,7 @@ mod limit;
 mod memory;
 mod polygon;
 mod reading;
+mod shape;
 mod step;
 mod surface;
 mod weights;
@@ -35,5 +37,6 @@ pub use interproximate::{Interproximate, Tensions};
 pub use limit::BasicLimit;
 pub use polygon::{ACROSS, ALONG, LARGEST_DIMENSION, Net, Polygon};
 pub use reading::PointTable;
+pub use shape::{ShapeVerdict, Witness, keeps_steps, preserves};
 pub use surface::{Surface, refine_net};
 pub use weights::{Stencil, Weights};

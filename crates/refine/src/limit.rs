@@ -94,7 +94,11 @@ impl BasicLimit {
     }
 
     /// The pairs `(l, φ^(n)(x + l))`, ascending, over the support.
-    fn values(&self, x: &Rational, order: u32) -> Result<Vec<(i64, Rational)>, Diagnostic> {
+    pub(crate) fn values(
+        &self,
+        x: &Rational,
+        order: u32,
+    ) -> Result<Vec<(i64, Rational)>, Diagnostic> {
         if self.window().count() > WIDEST {
             let message = "the support is too wide for exact limits";
             let hint = format!("{WIDEST} control points are the most");

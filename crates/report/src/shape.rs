@@ -1,7 +1,7 @@
 //! What limits keep of the shape of their data, as text and as data.
 
 use refinable_algebra::{Rational, Ring, decimal};
-use refinable_analysis::{ShapeVerdict, Witness, keeps_steps, preserves};
+use refinable_refine::{ShapeVerdict, Witness, keeps_steps, preserves};
 use refinable_scheme::Normalised;
 use serde_json::{Value, json};
 

@@ -89,6 +89,21 @@ fn name(k: usize) -> String {
     }
 }
 
+/// Found by fuzzing: every coefficient brings the common denominator, so that what is printed may be more than
+/// what can be read; it is refused then, not read as something else.
+#[test]
+fn what_is_printed_is_read_again_or_refused() {
+    for (text, is_read) in
+        [("j1/Σq^63*(1+j+z^2)^2/(1+a)", false), ("(1+j+z^2)^2/(1+a)", true), ("z/(1+a)^2", true)]
+    {
+        let mask = Mask::parse(text, 2).unwrap();
+        match Mask::parse(&mask.to_string(), 2) {
+            Ok(again) => assert!(is_read && again == mask, "{text}"),
+            Err(error) => assert!(!is_read && error.code() == "budget", "{text}: {error}"),
+        }
+    }
+}
+
 fn tokens() -> impl Strategy<Value = String> {
     let token = prop_oneof![
         Just("1"),

@@ -123,6 +123,8 @@ fn two_parameters() {
     for verdict in ["proved", "refuted", "undecided"] {
         assert!(seen.iter().any(|v| v == verdict), "nowhere {verdict}");
     }
+    let far = browser.evaluate("toFloat(ratio(-(10n ** 400n), 4n * 10n ** 399n))");
+    assert_eq!(far.as_f64(), Some(-2.5));
     controls(&mut browser);
     curves(&mut browser, &path, &scheme);
     assert_eq!(browser.errors, [""; 0]);

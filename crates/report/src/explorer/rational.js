@@ -23,7 +23,16 @@ const compare = (a, b) => signOf(a.n * b.d - b.n * a.d);
 const isZero = (a) => a.n === 0n;
 const equal = (a, b) => a.n === b.n && a.d === b.d;
 const toText = (a) => (a.d === 1n ? `${a.n}` : `${a.n}/${a.d}`);
-const toFloat = (a) => Number(a.n) / Number(a.d);
+
+/** The nearest float or one beside it; numerators and denominators may be beyond all floats. */
+function toFloat({ n, d }) {
+  const [top, bottom] = [Number(n), Number(d)];
+  if (Number.isFinite(top) && Number.isFinite(bottom)) return top / bottom;
+  const digits = Math.max(n.toString(16).length, d.toString(16).length);
+  const cut = BigInt(4 * (digits - 200));
+  return Number(n >> cut) / Number(d >> cut);
+}
+
 
 /** The most characters of a number that is typed: more would only make the page slow. */
 const LONGEST_NUMBER = 80;

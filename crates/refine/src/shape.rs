@@ -19,8 +19,11 @@
 //! The limit of a step runs between 0 and 1 if `φ ≥ 0`: it is a partial sum of the `φ(x-k)`, all of which add up
 //! to 1. Its values are the partial sums of the coefficients of `q^L Φ` for `r = 1`.
 
-use refinable_algebra::{Laurent, Matrix, Ordered, ParameterFraction, Rational, Ring};
+use refinable_algebra::{Laurent, Ordered, Rational, Ring};
 use refinable_scheme::{Diagnostic, Normalised};
+
+use crate::limit::BasicLimit;
+use crate::weights::constant_coefficients;
 
 /// The most places `n/m^L` between two integers at which limits are looked at.
 const FINEST: usize = 32;
@@ -52,7 +55,7 @@ pub struct Witness {
 ///
 /// # Errors
 /// Code `parameters` if a parameter is free; `limit` if the values of `φ` at integers are not determined, which
-/// happens to no scheme that converges.
+/// happens to no scheme that converges; `budget` if the support is too wide.
 ///
 /// # Cost
 /// Products of polynomials of some `32` times the length of the mask, after one null space of its width.
@@ -126,34 +129,13 @@ struct Limit {
 }
 
 impl Limit {
-    /// `φ(j) = Σ_l a_{mj-l} φ(l)` and `Σ_j φ(j) = 1`: powers of the matrix tend to one all columns of which are
-    /// `(φ(j))`, if the scheme converges, so that there is no other solution.
     fn new(mask: &Normalised) -> Result<Self, Diagnostic> {
-        let arity = mask.arity();
-        let constant = |c: ParameterFraction| c.as_constant();
-        let coefficients: Option<Vec<Rational>> =
-            mask.coefficients().map(|(_, c)| constant(c)).collect();
-        let coefficients = coefficients.ok_or_else(|| {
-            Diagnostic::new("parameters", "the shape of limits is asked of single schemes")
-                .with_hint("set all parameters")
-        })?;
-        let (lowest, highest) = mask.support();
-        let symbol = Laurent::new(lowest, coefficients);
-        let [first, last] = [lowest, highest].map(|i| i.div_euclid(arity as i64 - 1));
-        let size = (last - first + 1) as usize;
-        let index = |i: usize| first + i as i64;
-        let equations = Matrix::from_fn(size, size, |j, l| {
-            let a = symbol.coefficient(arity as i64 * index(j) - index(l));
-            if j == l { a - Rational::one() } else { a }
-        });
-        let undetermined = || Diagnostic::new("limit", "the scheme does not converge");
-        let [vector] = &equations.null_space()[..] else { return Err(undetermined()) };
-        let sum: Rational = vector.iter().sum();
-        if sum.is_zero() {
-            return Err(undetermined());
-        }
-        let integers = Laurent::new(first, vector.iter().map(|v| v / &sum).collect());
-        Ok(Limit { arity, symbol, integers })
+        let coefficients = constant_coefficients(mask)?.into_iter().map(|(_, a)| a).collect();
+        let symbol = Laurent::new(mask.support().0, coefficients);
+        let values = BasicLimit::new(mask)?.values(&Rational::zero(), 0)?;
+        let first = values.first().map_or(0, |(j, _)| *j);
+        let integers = Laurent::new(first, values.into_iter().map(|(_, value)| value).collect());
+        Ok(Limit { arity: mask.arity(), symbol, integers })
     }
 
     /// `1, q, q(z) q(z^m), …` up to the finest level.
