@@ -123,11 +123,25 @@ fn two_parameters() {
     for verdict in ["proved", "refuted", "undecided"] {
         assert!(seen.iter().any(|v| v == verdict), "nowhere {verdict}");
     }
-    let far = browser.evaluate("toFloat(ratio(-(10n ** 400n), 4n * 10n ** 399n))");
-    assert_eq!(far.as_f64(), Some(-2.5));
+    numbers_beyond_floats(&mut browser);
     controls(&mut browser);
     curves(&mut browser, &path, &scheme);
     assert_eq!(browser.errors, [""; 0]);
+}
+
+/// Quotients of integers that are beyond all floats; the page keeps its functions to itself, so they are loaded apart.
+fn numbers_beyond_floats(browser: &mut Browser) {
+    const NUMBERS: &str = include_str!("../../../report/src/explorer/rational.js");
+    for (n, d, nearest) in [
+        ("-(10n ** 400n)", "4n * 10n ** 399n", -2.5),
+        ("1n", "10n ** 400n", 0.0),
+        ("-(3n ** 700n)", "3n ** 701n * 2n", -1.0 / 6.0),
+        ("10n ** 400n", "10n ** 300n", 1e100),
+    ] {
+        let quotient = format!("(() => {{ {NUMBERS}; return toFloat({{ n: {n}, d: {d} }}) }})()");
+        let float = browser.evaluate(&quotient).as_f64().expect("a number");
+        assert!((float - nearest).abs() <= f64::EPSILON * nearest.abs(), "{n}/{d}: {float}");
+    }
 }
 
 /// The fields, the mouse, the keys and the theme.

@@ -33,7 +33,6 @@ function toFloat({ n, d }) {
   return Number(n >> cut) / Number(d >> cut);
 }
 
-
 /** The most characters of a number that is typed: more would only make the page slow. */
 const LONGEST_NUMBER = 80;
 
