@@ -254,6 +254,31 @@ fn a_curve_is_a_line_of_masks() {
     }
 }
 
+/// Families that cover their line several times, in part or with poles: every value has the verdict of its
+/// member alone.
+#[test]
+fn a_line_may_be_covered_more_than_once() {
+    let mut seen = [0; 2];
+    for text in
+        ["fourpoint(t^2)", "fourpoint(t^3-t/4)", "jspline(4*t/(1+t^2))", "jspline(1/(t^2-2))"]
+    {
+        let family = scheme(text);
+        let range = range(&family, "t", 1);
+        for k in -12..=12 {
+            let t = rational(k, 8);
+            let member = at(&family, "t", &t);
+            let (verdict, _) =
+                continuity_at("member", member.mask(), 1, &Sharpness::default()).unwrap();
+            let expected = (verdict == PointVerdict::Proved, verdict == PointVerdict::Refuted);
+            let found = (range.proved.contains_rational(&t), range.refuted.contains_rational(&t));
+            assert_eq!(found, expected, "{text} at {t}");
+            seen[0] += usize::from(found.0);
+            seen[1] += usize::from(found.1);
+        }
+    }
+    assert!(seen.iter().all(|&n| n > 20), "{seen:?}");
+}
+
 /// Every lemma of a certified exponent is needed: without any one of them the theorem is not proved.
 #[test]
 fn a_certified_exponent_needs_all_its_lemmas() {

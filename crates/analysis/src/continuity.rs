@@ -172,6 +172,7 @@ impl ContinuityRange {
             intervals.iter().filter_map(|i| i.as_point().cloned()).collect()
         };
         points.extend(isolated(&proved).into_iter().map(|t| (t, PointVerdict::Proved)));
+        points.extend(isolated(&refuted).into_iter().map(|t| (t, PointVerdict::Refuted)));
         let unstable = line.pull_back(&Region::points(exceptions(&certificate)));
         let open = proved.union(&refuted).complement();
         let poles = Region::points(line.poles());

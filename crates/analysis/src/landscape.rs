@@ -224,8 +224,7 @@ fn places_in(line: &Line, interval: &Interval) -> Vec<Rational> {
         return Vec::new();
     };
     let ends = [lower.enclosure(&width).1, upper.enclosure(&width).0];
-    let Some(mut span) = line.project(&ends) else { return Vec::new() };
-    span.sort();
+    let Some(span) = line.span(&ends) else { return Vec::new() };
     let places = slowest_between(line, span, &COARSE);
     // The search may come to an end that does not belong to the interval: beside it then.
     let region = Region::interval(interval.lower.clone(), interval.upper.clone());
@@ -234,6 +233,6 @@ fn places_in(line: &Line, interval: &Interval) -> Vec<Rational> {
         true => t,
         false => &t + (&middle - &t) / Rational::from_i64(BESIDE),
     };
-    let found = places.iter().filter_map(|x| line.lift(x)).map(inward);
+    let found = places.iter().flat_map(|x| line.lift(x)).map(inward);
     found.filter(|t| region.contains_rational(t)).collect()
 }

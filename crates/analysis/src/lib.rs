@@ -9,7 +9,7 @@
 //! | `piecewise` | [`RowCondition`]: sums of absolute values below a bound, solved exactly |
 //! | `sublevel` | where all rows of a norm are below a bound, by branch and bound |
 //! | `contractivity` | [`NormRange`]: the exact parameter set that norms prove |
-//! | `line`, `moebius` | [`Line`]: families along a line of masks |
+//! | `line`, `rational_map` | [`Line`]: families along a line of masks |
 //! | `plane` | [`Plane`]: families of two parameters, as planes of masks |
 //! | `level_one` | the polygon that norms at level one prove, of a [`Plane`] |
 //! | `map` | [`Map`]: where in a box of two parameters C^n holds and fails, with the certificate |
@@ -31,7 +31,6 @@ mod landscape;
 mod level_one;
 mod line;
 mod map;
-mod moebius;
 mod plane;
 mod stability;
 
@@ -39,6 +38,7 @@ mod norm;
 mod piecewise;
 mod power;
 mod proof;
+mod rational_map;
 mod regularity;
 mod sublevel;
 

@@ -9,7 +9,7 @@ use refinable_scheme::Normalised;
 use refinable_spectral::Pencil;
 
 use crate::difference::ClearedSymbol;
-use crate::moebius::Moebius;
+use crate::rational_map::RationalMap;
 
 /// A line of masks `p + x q`, and how a family runs along it: its mask is that at `x = P(t)/Q(t)`.
 ///
@@ -32,6 +32,12 @@ struct Along {
     numerators: Laurent<Polynomial<Rational>>,
     denominator: Polynomial<Rational>,
     line: (Polynomial<Rational>, Polynomial<Rational>),
+}
+
+impl Along {
+    fn change(&self) -> RationalMap<'_> {
+        RationalMap::new(&self.line.0, &self.line.1)
+    }
 }
 
 impl Line {
@@ -64,7 +70,7 @@ impl Line {
                 .collect();
             parts.map(|parts| (guide.clone(), parts))
         });
-        let (guide, parts) = along.filter(|(guide, _)| is_moebius(guide, &denominator))?;
+        let (guide, parts) = along?;
         let lowest = numerators.lowest();
         let base = Laurent::new(lowest, parts.iter().map(|p| p.0.clone()).collect());
         let direction = Laurent::new(lowest, parts.iter().map(|p| p.1.clone()).collect());
@@ -119,26 +125,29 @@ impl Line {
     pub fn pull_back(&self, region: &Region) -> Region {
         match &self.curve {
             None => region.clone(),
-            Some(curve) => Moebius::new(&curve.line.0, &curve.line.1).preimage(region),
+            Some(curve) => curve.change().preimage(region),
         }
     }
 
-    /// The `x` of values of the family's parameter; `None` at a pole.
-    pub(crate) fn project<const N: usize>(&self, values: &[Rational; N]) -> Option<[Rational; N]> {
-        let Some(curve) = &self.curve else { return Some(values.clone()) };
-        let bottoms = values.each_ref().map(|t| curve.line.1.evaluate(t));
-        let tops = values.each_ref().map(|t| curve.line.0.evaluate(t));
-        let defined = bottoms.iter().all(|bottom| !bottom.is_zero());
-        defined.then(|| std::array::from_fn(|i| &tops[i] / &bottoms[i]))
+    /// Bounds of the `x` of an interval of the family's parameter that holds no pole, up to `2^-60` in the
+    /// parameter where the curve turns round; `None` if an end is a pole.
+    pub(crate) fn span(&self, ends: &[Rational; 2]) -> Option<[Rational; 2]> {
+        let Some(curve) = &self.curve else { return Some(ends.clone()) };
+        let change = curve.change();
+        let inside = Region::open(ends[0].clone(), ends[1].clone());
+        let turns = change.turns().into_iter().filter(|t| inside.contains(t)).map(nearby);
+        let values: Option<Vec<Rational>> =
+            ends.iter().cloned().chain(turns).map(|t| change.value(&t)).collect();
+        let values = values?;
+        Some([values.iter().min()?.clone(), values.iter().max()?.clone()])
     }
 
-    /// The value of the family's parameter at a rational `x`; `None` if it is infinite.
-    pub(crate) fn lift(&self, x: &Rational) -> Option<Rational> {
+    /// The values of the family's parameter at `x`, up to `2^-60` where they are irrational.
+    pub(crate) fn lift(&self, x: &Rational) -> Vec<Rational> {
         match &self.curve {
-            None => Some(x.clone()),
+            None => vec![x.clone()],
             Some(curve) => {
-                let change = Moebius::new(&curve.line.0, &curve.line.1);
-                change.inverse(&x.clone().into())?.as_rational().cloned()
+                curve.change().inverse(&x.clone().into()).into_iter().map(nearby).collect()
             }
         }
     }
@@ -288,9 +297,9 @@ pub(crate) fn letters(
     (0..m).map(|e| Matrix::from_fn(d, d, |i, j| entry(e, i, j))).collect()
 }
 
-/// Whether `P/Q` is a bijection of the projective line.
-fn is_moebius(p: &Polynomial<Rational>, q: &Polynomial<Rational>) -> bool {
-    p.degree().unwrap_or(0).max(q.degree().unwrap_or(0)) == 1
+/// A number itself if it is rational, or one at most `2^-60` away.
+fn nearby(t: RealAlgebraic) -> Rational {
+    t.enclosure(&Rational::new(1.into(), Integer::from(1) << 60usize)).0
 }
 
 fn numbers(coefficients: &[Rational]) -> Vec<Number> {

@@ -13,9 +13,9 @@ use refinable_certificate::{Certificate, MAP_FORMAT, MapCertificate, verify, ver
 use refinable_papers::{Claims, Paper, Table};
 use refinable_report::{
     Audit, CERTIFICATES, CertificateStore, Checked, Effort, Explorer, ExplorerOptions, FamilyMaps,
-    HolderMap, Language, MapStore, Maps, Quantity, Scan, Site, Sweep, analyze, check, check_json,
-    compare, degree_table, expected_file, export, norm_table, proof_text, range_table,
-    regularity_table, report_site, rule_picture, schemes, sharp_range, sharp_range_table, show,
+    HolderMap, Language, MapStore, Maps, Quantity, Scan, Site, Sweep, analyze, any_range_table,
+    check, check_json, compare, degree_table, expected_file, export, norm_table, proof_text,
+    range_table, regularity_table, report_site, rule_picture, schemes, sharp_range, show,
 };
 use refinable_scheme::{Scheme, SchemeFile, Substitution};
 
@@ -49,10 +49,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
             let continuity = usize::from(*continuity);
             let document = match level {
                 Some(level) => range_table(&scheme, continuity, *level, Budget::default())?,
-                None => {
-                    let range = sharp_range(&scheme, continuity, &sharpness(gap)?)?;
-                    sharp_range_table(&scheme, &range)
-                }
+                None => any_range_table(&scheme, continuity, &sharpness(gap)?)?,
             };
             output::print(&document, format.format)?;
         }

@@ -96,7 +96,7 @@ pub use regularity::{outward, regularity_table};
 pub use rule_picture::rule_picture;
 pub use scan::{Quantity, Scan};
 pub use schemes::schemes;
-pub use sharp::{proof_text, sharp_range, sharp_range_table, statement};
+pub use sharp::{any_range_table, proof_text, sharp_range, statement};
 pub use show::show;
 pub use site::{CERTIFICATES, Site, report_site};
 pub use surface::TensorSurface;

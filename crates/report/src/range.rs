@@ -2,10 +2,11 @@
 
 use refinable_algebra::{Parameter, parse_rational};
 use refinable_analysis::{Budget, NormRange, norm_range};
-use refinable_reals::{Bound, Interval, RealAlgebraic, Region};
+use refinable_reals::{Bound, ExactForm, Interval, RealAlgebraic, Region};
 use refinable_scheme::{Diagnostic, Scheme};
 use serde_json::{Value, json};
 
+use crate::audit::short;
 use crate::grid::{Cell, Document, Grid};
 use crate::latex;
 use crate::number::{approximation, intervals, number};
@@ -113,9 +114,25 @@ fn proof(range: &NormRange, part: &Interval) -> String {
     needed.map(|(level, _)| norm(level)).collect::<Vec<_>>().join(" or ")
 }
 
-fn interval_cell(interval: &Interval, variable: &str) -> Cell {
+/// Ends beyond this many characters are shown in decimals only.
+const LONGEST: usize = 48;
+
+/// An interval with its exact ends, unless they are too long to be read.
+pub(crate) fn interval_cell(interval: &Interval, variable: &str) -> Cell {
     let region = Region::interval(interval.lower.clone(), interval.upper.clone());
-    Cell::math(region.display(variable), &latex::region(&region, variable))
+    if is_short(interval) {
+        Cell::math(region.display(variable), &latex::region(&region, variable))
+    } else {
+        Cell::text(short(&region, variable))
+    }
+}
+
+fn is_short(interval: &Interval) -> bool {
+    let ends = [interval.lower.number(), interval.upper.number()];
+    ends.into_iter().flatten().all(|x| match x.exact_form() {
+        form @ ExactForm::Root { .. } => form.display("x").len() <= LONGEST,
+        _ => true,
+    })
 }
 
 /// The ends to six digits, marked unless they are exact.

@@ -1,9 +1,11 @@
 //! `range`: where C^n is proved and where it is refuted, from both sides.
 
 use refinable_algebra::decimal;
-use refinable_analysis::{ContinuityRange, PointVerdict, Sharpness, continuity_range, region_of};
+use refinable_analysis::{
+    Budget, ContinuityRange, Line, PointVerdict, Sharpness, continuity_range, region_of,
+};
 use refinable_certificate::{Certificate, Conclusion, Lemma};
-use refinable_reals::{ExactForm, Interval, Region};
+use refinable_reals::Region;
 use refinable_scheme::{Diagnostic, Scheme};
 use serde_json::{Value, json};
 
@@ -11,7 +13,7 @@ use crate::audit::short;
 use crate::grid::{Cell, Document, Grid};
 use crate::latex;
 use crate::number::{intervals, number};
-use crate::range::{decimals, only_parameter};
+use crate::range::{decimals, interval_cell, only_parameter, range_table};
 
 /// The exact range of C^n over the one free parameter of a scheme, with the checked proof.
 ///
@@ -26,8 +28,37 @@ pub fn sharp_range(
     continuity_range(scheme.name(), scheme.mask(), &parameter, continuity, sharpness)
 }
 
+/// The highest level of norms tried where the masks of a family lie on no line.
+const CURVED_LEVEL: u32 = 4;
+
+/// The range of C^n of a scheme with one free parameter, as sharp as the theory allows: from both sides if
+/// the masks of the family lie on a line, otherwise what norms prove, with the rest undecided for that reason.
+///
+/// # Errors
+/// Code `parameters` unless exactly one parameter is free; `budget` if even norms of level 1 cost too much.
+pub fn any_range_table(
+    scheme: &Scheme,
+    continuity: usize,
+    sharpness: &Sharpness,
+) -> Result<Document, Diagnostic> {
+    only_parameter(scheme)?;
+    if Line::new(scheme.name(), scheme.mask()).is_some() {
+        return Ok(sharp_range_table(scheme, &sharp_range(scheme, continuity, sharpness)?));
+    }
+    let by_norms = |level| range_table(scheme, continuity, level, Budget::default());
+    let highest = (2..=CURVED_LEVEL).rev().find_map(|level| by_norms(level).ok());
+    let mut document = highest.map_or_else(|| by_norms(1), Ok)?;
+    let reason = "the masks of this family lie on no line, so that nothing but norms is known to \
+                  decide: nothing is refuted";
+    document.grids[0].remarks.push(reason.into());
+    let is_exact = document.json["undecided"].as_array().is_some_and(Vec::is_empty);
+    document.json["exact"] = is_exact.into();
+    document.json["undecided_because"] = json!([reason]);
+    Ok(document)
+}
+
 /// A range as a table: proved, refuted and undecided intervals of the whole line.
-pub fn sharp_range_table(scheme: &Scheme, range: &ContinuityRange) -> Document {
+fn sharp_range_table(scheme: &Scheme, range: &ContinuityRange) -> Document {
     let variable = range.parameter.name();
     let undecided = range.undecided();
     let mut rows = Vec::new();
@@ -35,13 +66,7 @@ pub fn sharp_range_table(scheme: &Scheme, range: &ContinuityRange) -> Document {
         [(&range.proved, "proved"), (&range.refuted, "refuted"), (&undecided, "undecided")]
     {
         rows.extend(region.intervals().iter().map(|part| {
-            let region = Region::interval(part.lower.clone(), part.upper.clone());
-            let exact = if is_short(part) {
-                Cell::math(region.display(variable), &latex::region(&region, variable))
-            } else {
-                Cell::text(short(&region, variable))
-            };
-            vec![Cell::text(verdict), exact, Cell::text(decimals(part))]
+            vec![Cell::text(verdict), interval_cell(part, variable), Cell::text(decimals(part))]
         }));
     }
     let poles = range.points.iter().filter(|(_, verdict)| *verdict == PointVerdict::Pole);
@@ -58,17 +83,6 @@ pub fn sharp_range_table(scheme: &Scheme, range: &ContinuityRange) -> Document {
         remarks: remarks(range),
     };
     Document { grids: vec![grid], summary: None, json: json_of(scheme, range) }
-}
-
-/// Ends beyond this many characters are shown in decimals only.
-const LONGEST: usize = 48;
-
-fn is_short(interval: &Interval) -> bool {
-    let ends = [interval.lower.number(), interval.upper.number()];
-    ends.into_iter().flatten().all(|x| match x.exact_form() {
-        form @ ExactForm::Root { .. } => form.display("x").len() <= LONGEST,
-        _ => true,
-    })
 }
 
 fn json_of(scheme: &Scheme, range: &ContinuityRange) -> Value {
@@ -214,5 +228,54 @@ pub fn statement(certificate: &Certificate) -> String {
             let (lower, upper) = (decimal(&lower.0, 12), decimal(&upper.0, 12));
             format!("{} has Hölder exponent in [{lower}, {upper}]", family.name)
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn range(text: &str) -> Value {
+        let scheme = Scheme::resolve(text, 2).unwrap();
+        any_range_table(&scheme, 0, &Sharpness::default()).unwrap().json
+    }
+
+    /// The four-point scheme converges for `|w| < 1/2`: with `w = t²` for `t² < 1/2`, and with
+    /// `w = t/(1+t²)`, which is `±1/2` at `t = ±1` and smaller elsewhere, everywhere but there.
+    #[test]
+    fn families_that_cover_their_line_twice() {
+        let proved = |json: &Value| -> Vec<[Value; 2]> {
+            let parts = json["proved"].as_array().unwrap().iter();
+            parts.map(|p| ["lo", "hi"].map(|end| p[end]["exact"].clone())).collect()
+        };
+        assert_eq!(proved(&range("fourpoint(w)")), [["-1/2", "1/2"]]);
+        assert_eq!(proved(&range("fourpoint(t^2)")), [["-sqrt(2)/2", "sqrt(2)/2"]]);
+        let turned = range("fourpoint(t/(1+t^2))");
+        let infinite = Value::Null;
+        let (one, minus_one) = (json!("1"), json!("-1"));
+        assert_eq!(
+            proved(&turned),
+            [[&infinite, &minus_one], [&minus_one, &one], [&one, &infinite]]
+                .map(|p| p.map(Value::clone))
+        );
+        let points: Vec<_> = turned["points"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(|p| (&p["at"]["exact"], &p["verdict"]))
+            .collect();
+        let refuted = json!("refuted");
+        assert_eq!(points, [(&minus_one, &refuted), (&one, &refuted)]);
+        assert_eq!(turned["exact"], true);
+    }
+
+    /// Masks on a conic: norms prove, nothing is refuted, and the reason is said.
+    #[test]
+    fn families_on_no_line_are_undecided_beyond_norms() {
+        let json = range("even: [w^2, 1-w-w^2, w]; odd: [1/2, 1/2]");
+        assert_eq!(json["proved"].as_array().map(Vec::len), Some(1));
+        assert_eq!(json["refuted"], json!([]));
+        assert_eq!(json["exact"], false);
+        assert!(json["undecided_because"][0].as_str().unwrap().contains("on no line"));
     }
 }
