@@ -94,7 +94,7 @@ impl ContinuityRange {
 /// stable; for `n ≥ k` only values come into question at which a higher power divides.
 ///
 /// # Errors
-/// Code `parameters` if the family does not run along a line of masks in one parameter.
+/// Code `parameters` if the masks of the family lie on no line, or not one parameter is free.
 ///
 /// # Source
 /// Dyn 1992; Jia and Wang 1993; see `docs/certificates.md` for the steps of the proof.
@@ -142,8 +142,8 @@ pub fn highest_continuity(mask: &Normalised) -> Option<usize> {
 
 fn line_of(name: &str, mask: &Normalised) -> Result<Line, Diagnostic> {
     Line::new(name, mask).ok_or_else(|| {
-        Diagnostic::new("parameters", "the family does not run along a line of masks")
-            .with_hint("norms up to a level apply to every family: --level L")
+        Diagnostic::new("parameters", "the masks of the family lie on no line")
+            .with_hint("norms apply to every family: refinable range SCHEME -n N --level L")
     })
 }
 
