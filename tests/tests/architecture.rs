@@ -25,7 +25,8 @@ fn metadata() -> Metadata {
 
 /// `refinable-scheme` is the room `scheme`; the facade has the name of the house.
 fn role(package: &str) -> Option<String> {
-    let room = if package == "refinable" { Some(package) } else { package.strip_prefix("refinable-") };
+    let room =
+        if package == "refinable" { Some(package) } else { package.strip_prefix("refinable-") };
     room.map(String::from)
 }
 

@@ -1,19 +1,29 @@
 //! Transcripts, and what is quoted from files.
 
 use std::fs;
+use std::path::Path;
 
 use serde_json::Value;
 
-use crate::{blocks, root};
+use crate::{blocks, printed, root};
 
 #[test]
 fn transcripts() {
     // trycmd runs the program where the test runs.
     std::env::set_current_dir(root()).expect("the repository");
     trycmd::TestCases::new()
-        .register_bin("refinable", env!("CARGO_BIN_EXE_refinable").as_ref())
+        .register_bin("refinable", Path::new(env!("CARGO_BIN_EXE_refinable")))
         .case("README.md")
         .case("crates/refinable/src/guide/*.md");
+}
+
+/// trycmd takes backslashes for those of paths.
+#[test]
+fn the_latex_in_the_readme() {
+    let readme = fs::read_to_string(root().join("README.md")).unwrap();
+    let [line] = &blocks(&readme, "latex")[..] else { panic!("one block") };
+    let range = "refinable range '[-w, 0, 1/2+w, 1, 1/2+w, 0, -w]' --continuity 1 --format latex";
+    assert!(printed(range, &root()).contains(line), "{line}");
 }
 
 /// The guide opens a certificate: what it shows stands there.
