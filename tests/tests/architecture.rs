@@ -23,8 +23,11 @@ fn metadata() -> Metadata {
     command.manifest_path(manifest).no_deps().exec().expect("cargo metadata runs")
 }
 
+/// `refinable-scheme` is the room `scheme`; the facade has the name of the house.
 fn role(package: &str) -> Option<String> {
-    package.strip_prefix("refinable-").map(String::from)
+    let room =
+        if package == "refinable" { Some(package) } else { package.strip_prefix("refinable-") };
+    room.map(String::from)
 }
 
 /// The rows under `## Arrows`, the header and its rule left out.

@@ -56,6 +56,9 @@ pub struct TensionChoice {
 /// Code `tensions` if the family is not binary and primal, if there is no such member, or if more than one
 /// parameter would be left free; those of [`landscape`].
 ///
+/// # Cost
+/// That of [`landscape`], some seconds to a minute.
+///
 /// # Source
 /// Ours; for spectra of local matrices at a special vertex see Warren and Weimer, *Subdivision methods for
 /// geometric design*, 2002.

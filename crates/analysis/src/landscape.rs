@@ -81,6 +81,9 @@ fn bound(plane: &Plane) -> Rational {
 /// # Errors
 /// Code `parameters` or `pole` if the family has no map, `box` if the box is empty, `divisibility` if
 /// `σ` does not divide.
+///
+/// # Cost
+/// A search with floats over the box and along each line, and [`regularity`] for the best members found.
 pub fn landscape(
     name: &str,
     mask: &Normalised,

@@ -99,6 +99,10 @@ fn bound(plane: &Plane, order: usize, continuity: usize) -> Rational {
 /// Those of `divisible_plane`: code `parameters`, `pole`, `box` or `divisibility`; `certificate` if
 /// the proof does not hold or the family is too large for it.
 ///
+/// # Cost
+/// That of [`partition`] and of the checker for all its pieces; a minute with the default [`Fineness`] for
+/// masks of eleven coefficients.
+///
 /// # Source
 /// Path-complete graphs of ellipsoids (Ahmadi, Jungers, Parrilo and Roozbehani 2014) that move with the
 /// point; the proofs are in `docs/certificates.md`.

@@ -45,6 +45,10 @@ pub struct Regularity {
 /// # Errors
 /// Code `parameters` if a parameter is free; `regularity` if no bounds were found.
 ///
+/// # Cost
+/// One polytope, with a linear program in floats for every image of its vertices; a root isolation if the symbol is
+/// non-negative.
+///
 /// # Source
 /// Dyn 1992 and, for the converse, stability, see `docs/certificates.md`. Non-negative symbols need
 /// one matrix only (Rioul 1992; Floater and Muntingh 2012).

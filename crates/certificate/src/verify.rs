@@ -37,6 +37,9 @@ pub(crate) struct Proved {
 /// # Errors
 /// [`Invalid`]: the first thing that fails, first the family, then the lemmas in their order, then
 /// the conclusion.
+///
+/// # Cost
+/// Bounded: a few seconds for each lemma, and no lemma's effort depends on another.
 pub fn verify(certificate: &Certificate) -> Result<Verified, Invalid> {
     let at = |part: Part| move |Reason(reason)| Invalid { part, reason };
     check_form(certificate).map_err(at(Part::Family))?;

@@ -3,7 +3,9 @@
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap_complete::Shell;
 
+mod examples;
 mod points;
 
 pub use points::{
@@ -11,9 +13,13 @@ pub use points::{
     SurfaceArguments,
 };
 
-/// Exact analysis of subdivision schemes.
+/// Exact analysis of families of subdivision schemes
+///
+/// What is smooth, for which values of a parameter, and what is not: proved from both sides, in exact
+/// arithmetic, with certificates that an independent checker reads. Data goes to standard output, everything
+/// else to standard error. Exit codes: 0 done, holds, valid; 1 differs, invalid; 2 bad usage or input.
 #[derive(Debug, Parser)]
-#[command(name = "refinable", version, about, max_term_width = 100)]
+#[command(name = "refinable", version, max_term_width = 100, after_help = examples::REFINABLE)]
 pub struct Arguments {
     /// What to do.
     #[command(subcommand)]
@@ -24,6 +30,10 @@ pub struct Arguments {
 #[derive(Debug, Subcommand)]
 pub enum Command {
     /// Print a scheme's mask, support and type
+    ///
+    /// The mask over its support, the support width, and whether the scheme is primal, dual or interpolatory. With -o
+    /// the rules as a sketch: old points, new points, and the weights between them.
+    #[command(after_help = examples::SHOW)]
     Show {
         #[command(flatten)]
         scheme: SchemeArguments,
@@ -37,6 +47,11 @@ pub enum Command {
         format: FormatArgument,
     },
     /// Degrees of polynomial generation and reproduction, for all parameter values
+    ///
+    /// A scheme generates degree d if it maps data from polynomials of degree d to such data, and reproduces it if the
+    /// polynomials are the same. Over a family the degrees are those for all values first, then the curves and
+    /// points on which they rise.
+    #[command(after_help = examples::DEGREES)]
     Degrees {
         #[command(flatten)]
         scheme: SchemeArguments,
@@ -44,6 +59,11 @@ pub enum Command {
         format: FormatArgument,
     },
     /// Where C^n holds over one parameter and where it fails, with exact ends, proved from both sides
+    ///
+    /// The whole line of the one free parameter is divided into what is proved, refuted and undecided; ends are
+    /// rational numbers or roots of integer polynomials. With --level only what norms of difference schemes prove, as
+    /// in most papers.
+    #[command(after_help = examples::RANGE)]
     Range {
         #[command(flatten)]
         scheme: SchemeArguments,
@@ -61,6 +81,10 @@ pub enum Command {
         format: FormatArgument,
     },
     /// The Hölder exponent of a scheme, certified; or over one parameter with --sweep
+    ///
+    /// Exact where the joint spectral radius is known exactly, else between two bounds. It holds for schemes whose basic
+    /// limit function has stable integer shifts; for others it is said what remains.
+    #[command(after_help = examples::REGULARITY)]
     Regularity {
         #[command(flatten)]
         scheme: SchemeArguments,
@@ -76,6 +100,10 @@ pub enum Command {
     },
     /// Where C^n holds over two parameters and where it fails, proved piece by piece; or how the Hölder
     /// exponent runs, with --what holder
+    ///
+    /// The box of the parameters is cut into convex pieces, and C^n is proved or refuted on each as a whole; what is left
+    /// undecided is said, and drawn in red.
+    #[command(after_help = examples::MAP)]
     Map {
         #[command(flatten)]
         scheme: SchemeArguments,
@@ -91,6 +119,9 @@ pub enum Command {
     },
     /// Write a page to explore a family: certified smoothness and degrees at every point, and live curves; it
     /// opens from disk
+    ///
+    /// The page needs neither a server nor a network. For families of two parameters, one, or none.
+    #[command(after_help = examples::EXPLORE)]
     Explore {
         #[command(flatten)]
         scheme: SchemeArguments,
@@ -101,6 +132,10 @@ pub enum Command {
         output: PathBuf,
     },
     /// A quantity at every point of a grid over two parameters, as CSV or JSON lines
+    ///
+    /// Every point is decided on its own and exactly. With -o the scan is written as it goes, and --resume goes on with one
+    /// that was interrupted.
+    #[command(after_help = examples::SCAN)]
     Scan {
         #[command(flatten)]
         scheme: SchemeArguments,
@@ -127,10 +162,22 @@ pub enum Command {
         resume: bool,
     },
     /// Refine a polygon towards the limit curve; as points, or as a picture with -o
+    ///
+    /// Points are read as CSV, as numbers between blanks, or as JSON, from a file or from standard input. A mask applied to
+    /// values instead of points works as well.
+    #[command(after_help = examples::CURVE)]
     Curve(CurveArguments),
     /// Refine a net towards the limit surface; as points, or as a mesh or a picture with -o
+    ///
+    /// The tensor product of a scheme with itself, or with another one --across. The end of the file's name tells the format:
+    /// obj, ply, stl, svg, png, csv, json.
+    #[command(after_help = examples::SURFACE)]
     Surface(SurfaceArguments),
     /// The basic limit function and its derivatives, exactly
+    ///
+    /// The limit for one control value 1 among zeros, at all m-adic points of a level: rational values, from the eigenvectors
+    /// of products of matrices.
+    #[command(after_help = examples::BASIS)]
     Basis {
         #[command(flatten)]
         scheme: SchemeArguments,
@@ -147,8 +194,16 @@ pub enum Command {
         format: FormatArgument,
     },
     /// Refine a polygon or a net so that some points are interpolated and the others approximated
+    ///
+    /// Every vertex and every edge takes tensions of its own: from columns of the file, from --interpolating and
+    /// --approximating, or chosen as smooth as possible, which takes a minute.
+    #[command(after_help = examples::INTERPROXIMATE)]
     Interproximate(InterproximateArguments),
     /// Write a certificate: of C^n over one parameter or at a value, or of the regularity
+    ///
+    /// The theorem and the lemmas it follows from, in integers, as JSON. docs/certificates.md describes the format, and
+    /// all that a checker has to do.
+    #[command(after_help = examples::CERTIFY)]
     Certify {
         #[command(flatten)]
         scheme: SchemeArguments,
@@ -160,6 +215,9 @@ pub enum Command {
         output: Option<PathBuf>,
     },
     /// Everything about one scheme on one page
+    ///
+    /// Mask, type, support, degrees, smoothness, shape of limits, and which known scheme it is.
+    #[command(after_help = examples::ANALYZE)]
     Analyze {
         #[command(flatten)]
         scheme: SchemeArguments,
@@ -167,6 +225,9 @@ pub enum Command {
         format: FormatArgument,
     },
     /// The table with which papers set schemes side by side
+    ///
+    /// Support width, type, degrees, smoothness and shape of each.
+    #[command(after_help = examples::COMPARE)]
     Compare {
         /// The schemes, each as for other commands
         #[arg(value_name = "SCHEME", required = true)]
@@ -178,11 +239,18 @@ pub enum Command {
         format: FormatArgument,
     },
     /// The schemes that have names, and the constructions
+    ///
+    /// Every name with its source; constructions take numbers, parameters, or other schemes.
+    #[command(after_help = examples::SCHEMES)]
     Schemes {
         #[command(flatten)]
         format: FormatArgument,
     },
     /// Check scheme files against what they expect: exit code 0 as expected, 1 something differs, 2 unreadable
+    ///
+    /// docs/scheme-files.md describes the format. What differs is printed with what was expected, what was found, and the
+    /// source of the expectation.
+    #[command(after_help = examples::CHECK)]
     Check {
         /// The files, *.scheme.toml
         #[arg(value_name = "FILE", required = true)]
@@ -191,11 +259,17 @@ pub enum Command {
         format: FormatArgument,
     },
     /// Print a scheme file that expects what is found now
+    ///
+    /// A start for a file of your own: add the source, and take away what you do not vouch for.
+    #[command(after_help = examples::EXPECT)]
     Expect {
         #[command(flatten)]
         scheme: SchemeArguments,
     },
     /// Write a scheme as code of another program, or as LaTeX, with exact coefficients
+    ///
+    /// The parameters, the mask, its symbol and the rules, with the conventions, and how to get to others, in comments.
+    #[command(after_help = examples::EXPORT)]
     Export {
         #[command(flatten)]
         scheme: SchemeArguments,
@@ -207,14 +281,41 @@ pub enum Command {
         output: Option<PathBuf>,
     },
     /// Print the JSON Schema of scheme files, for editors
+    ///
+    /// Draft 2020-12, of scheme files seen as JSON.
+    #[command(after_help = examples::SCHEMA)]
     Schema,
+    /// Print the completions of a shell
+    ///
+    /// To be sourced, or put where the shell looks for them; the README says where that is.
+    #[command(after_help = examples::COMPLETIONS)]
+    Completions {
+        /// The shell
+        #[arg(value_enum, value_name = "SHELL")]
+        shell: Shell,
+    },
+    /// Write manual pages into a directory, one for each command
+    ///
+    /// Made of the same definitions as the help texts: refinable.1, refinable-range.1 and so on.
+    #[command(after_help = examples::MAN)]
+    Man {
+        /// The directory, made if there is none
+        #[arg(value_name = "DIR")]
+        dir: PathBuf,
+    },
     /// Check certificates: exit code 0 valid, 1 invalid, 2 unreadable
+    ///
+    /// The checker shares nothing with the search but the arithmetic. Certificates of maps are checked as well.
+    #[command(after_help = examples::VERIFY)]
     Verify {
         /// The files
         #[arg(value_name = "FILE", required = true)]
         files: Vec<PathBuf>,
     },
     /// The norm of a difference scheme as a formula in the parameters
+    ///
+    /// The maximum over the rows of sums of absolute values of polynomials; below 1 it proves C^n.
+    #[command(after_help = examples::NORM)]
     Norm {
         #[command(flatten)]
         scheme: SchemeArguments,
@@ -228,6 +329,10 @@ pub enum Command {
         format: FormatArgument,
     },
     /// Rebuild a paper's tables and give a verdict on every cell
+    ///
+    /// Of Hameed and Mustafa's paper, or of the claims in a file as docs/claims.md describes it. Committed certificates are
+    /// checked and used; where there is none that holds, a proof is searched for.
+    #[command(after_help = examples::TABLES)]
     Tables {
         #[command(flatten)]
         audit: AuditArguments,
@@ -241,6 +346,10 @@ pub enum Command {
         format: FormatArgument,
     },
     /// Write or check a report directory
+    ///
+    /// All tables, figures and maps of the paper with their verdicts, as Markdown, CSV, LaTeX, JSON and SVG; the same bytes on
+    /// every machine.
+    #[command(after_help = examples::REPORT)]
     Report {
         /// What to do with it.
         #[command(subcommand)]
@@ -252,6 +361,9 @@ pub enum Command {
 #[derive(Debug, Subcommand)]
 pub enum ReportAction {
     /// Write the report into DIR; files written by hand are left alone
+    ///
+    /// All of it or, if anything fails, nothing.
+    #[command(after_help = examples::REPORT_BUILD)]
     Build {
         /// The directory
         dir: PathBuf,
@@ -259,6 +371,9 @@ pub enum ReportAction {
         audit: AuditArguments,
     },
     /// Recompute the report and compare it with DIR; exit code 1 if it differs
+    ///
+    /// The first line that differs of each file, and files that are missing or too many.
+    #[command(after_help = examples::REPORT_CHECK)]
     Check {
         /// The directory
         dir: PathBuf,

@@ -25,7 +25,7 @@ use crate::arguments::{
 };
 use crate::failure::Failure;
 use crate::files::Image;
-use crate::{drawing, files, output, scanning};
+use crate::{drawing, files, manual, output, scanning};
 
 /// Runs the command that was typed.
 ///
@@ -151,6 +151,11 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
             write_text(output.as_deref(), &code)?;
         }
         Command::Schema => output::print_text(&SchemeFile::json_schema())?,
+        Command::Completions { shell } => output::print_text(&manual::completions(*shell))?,
+        Command::Man { dir } => {
+            files::expect_directory(dir, true)?;
+            files::write_site(dir, &manual::pages())?;
+        }
         Command::Verify { files } => return verify_files(files),
         Command::Norm { scheme, continuity, level, format } => {
             let scheme = resolve(scheme)?;

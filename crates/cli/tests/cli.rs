@@ -40,8 +40,7 @@ fn json(arguments: &[&str]) -> Value {
 fn transcripts() {
     trycmd::TestCases::new()
         .register_bin("refinable", Path::new(env!("CARGO_BIN_EXE_refinable")))
-        .case("tests/cmd/*.trycmd")
-        .case("../../README.md");
+        .case("tests/cmd/*.trycmd");
 }
 
 /// The fields that scripts rely on.

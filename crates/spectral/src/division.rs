@@ -51,6 +51,10 @@ struct KnownWord {
 /// `known` are closed intervals on which `ρ(x) < 1` has been shown otherwise; `accept` is the
 /// independent check of a polytope.
 ///
+/// # Cost
+/// The words are as many as necklaces of up to `longest_word` letters; for each polytope that is tried a linear program
+/// in floats for every image of every vertex.
+///
 /// # Source
 /// Words and extremal polytopes: Guglielmi and Protasov 2013. One polytope for a half-open interval
 /// up to an exact end, and for a whole cell: convexity, see `docs/certificates.md`.
@@ -78,6 +82,9 @@ pub fn divide(
 }
 
 /// Where words show that `ρ(x) ≥ 1`, and the lemmas that say so.
+///
+/// # Cost
+/// A determinant with polynomial entries, and the isolation of its roots, for each word.
 pub fn expanding(pencil: &Pencil, options: &Options) -> (Region, Vec<Lemma>) {
     let words = Word::necklaces(pencil.letters(), options.longest_word, pencil.is_mirrored());
     let expansion = Expansion::new(pencil, &words);
@@ -96,6 +103,9 @@ pub enum Constant {
 }
 
 /// Decides the pencil at a point, which only names the place if the pencil is constant.
+///
+/// # Cost
+/// As for [`divide`], at one value.
 pub fn decide(
     pencil: &Pencil,
     point: &Rational,

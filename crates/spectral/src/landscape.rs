@@ -26,6 +26,9 @@ const ROUNDS: usize = 40;
 /// `-log_m` of the growth per letter of the fastest of the short words at the nodes of a grid, the ends of the
 /// box included, row by row from its lower end; a multiple of `2^-24`. Longer words may grow faster: the decay
 /// of all products is this at the most, as far as floats can tell.
+///
+/// # Cost
+/// All words of up to five letters at each node.
 pub fn decay(pencil: &PlanePencil, window: &Window, [columns, rows]: [usize; 2]) -> Vec<Rational> {
     let words = Word::necklaces(pencil.letters(), DRAWN, pencil.is_mirrored());
     let spans = floats(window);
@@ -46,6 +49,9 @@ pub fn decay(pencil: &PlanePencil, window: &Window, [columns, rows]: [usize; 2])
 /// Places of short numbers near where the fastest word grows least in a box, for each of the tolerances `t`:
 /// there it grows by at most about `2^-t` of that faster. Places to look, not proofs. An empty side of the
 /// box is kept.
+///
+/// # Cost
+/// Some thousand samples, with all words of up to eight letters at each.
 pub fn slowest(pencil: &PlanePencil, window: &Window, tolerances: &[u32]) -> Vec<[Rational; 2]> {
     let words = Word::necklaces(pencil.letters(), SOUGHT, pencil.is_mirrored());
     let growth = |place: Place| fastest(&pencil.at(place), &words).1;

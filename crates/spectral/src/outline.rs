@@ -27,6 +27,9 @@ const SPACE: f64 = 0.08;
 
 /// A box with some margin around the set on which all short words shrink, or around where they grow
 /// least if there is no such place.
+///
+/// # Cost
+/// Some thousand samples for each box that is fitted, with all short words at each.
 pub fn outline(pencil: &PlanePencil) -> Window {
     let look = Look { pencil, words: Word::necklaces(pencil.letters(), 3, pencil.is_mirrored()) };
     let mut best: Option<(f64, Frame)> = None;

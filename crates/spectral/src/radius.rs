@@ -32,6 +32,9 @@ const WIDTHS: [f64; 6] = [4e-10, 1e-8, 1e-6, 1e-4, 1e-3, 1e-2];
 /// must be `x A_ε`; `nonnegative` checks that the end of the interval follows from a non-negative
 /// symbol. `None` if nothing was found.
 ///
+/// # Cost
+/// For each polytope that is tried a linear program in floats for every image of every vertex.
+///
 /// # Source
 /// Guglielmi and Protasov 2013: the scale is a parameter, and `1/ρ` the end of its range.
 pub fn radius(

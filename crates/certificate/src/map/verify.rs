@@ -169,6 +169,9 @@ fn invalid(part: Part) -> impl Fn(Reason) -> Invalid {
 ///
 /// # Errors
 /// [`Invalid`]: the first thing that fails.
+///
+/// # Cost
+/// Bounded for each piece by the limits in `docs/certificates.md`; pieces are checked side by side.
 pub fn verify_map(map: &MapCertificate) -> Result<Vec<Cell>, Invalid> {
     let known = map.format == MAP_FORMAT && map.version == VERSION;
     ensure(known, "an unknown format or version").map_err(invalid(Part::Family))?;
