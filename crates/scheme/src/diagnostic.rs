@@ -44,15 +44,21 @@ pub struct Diagnostic {
     code: &'static str,
     message: String,
     hint: Option<String>,
-    excerpt: Option<(String, Range<usize>)>,
-    /// The file that the excerpt's text is the whole of.
+    excerpt: Option<Box<Excerpt>>,
+}
+
+/// The offending text, the bytes of it that are wrong, and the file whose contents it is.
+#[derive(Clone, PartialEq, Eq, Debug)]
+struct Excerpt {
+    text: String,
+    span: Range<usize>,
     file: Option<String>,
 }
 
 impl Diagnostic {
     /// An error without a hint and without a place.
     pub fn new(code: &'static str, message: impl Into<String>) -> Self {
-        Diagnostic { code, message: message.into(), hint: None, excerpt: None, file: None }
+        Diagnostic { code, message: message.into(), hint: None, excerpt: None }
     }
 
     /// The same with advice on what to write instead.
@@ -66,7 +72,8 @@ impl Diagnostic {
     /// innermost one is the most precise.
     #[must_use]
     pub fn at(mut self, text: &str, span: Range<usize>) -> Self {
-        self.excerpt.get_or_insert_with(|| (text.to_string(), span));
+        self.excerpt
+            .get_or_insert_with(|| Box::new(Excerpt { text: text.to_string(), span, file: None }));
         self
     }
 
@@ -81,16 +88,15 @@ impl Diagnostic {
     /// otherwise with the path in front of the message.
     #[must_use]
     pub fn in_file(mut self, path: &str, contents: &str) -> Self {
-        let Some((text, span)) = &mut self.excerpt else {
+        let Some(excerpt) = &mut self.excerpt else {
             return self.within(path);
         };
-        let mut places = contents.match_indices(text.as_str());
+        let mut places = contents.match_indices(&excerpt.text);
         let (Some((at, _)), None) = (places.next(), places.next()) else {
             return self.within(path);
         };
-        *span = at + span.start..at + span.end;
-        *text = contents.to_string();
-        self.file = Some(path.to_string());
+        let span = at + excerpt.span.start..at + excerpt.span.end;
+        **excerpt = Excerpt { text: contents.to_string(), span, file: Some(path.to_string()) };
         self
     }
 
@@ -116,7 +122,7 @@ impl Diagnostic {
 
     /// The offending text and the byte range in it.
     pub fn excerpt(&self) -> Option<(&str, Range<usize>)> {
-        self.excerpt.as_ref().map(|(text, span)| (text.as_str(), span.clone()))
+        self.excerpt.as_ref().map(|excerpt| (excerpt.text.as_str(), excerpt.span.clone()))
     }
 }
 
@@ -124,13 +130,13 @@ impl Diagnostic {
     fn rendered(&self, renderer: &Renderer) -> String {
         let title = Level::ERROR.primary_title(visible(&self.message)).id(self.code);
         let mut error = Group::with_title(title);
-        if let Some((text, span)) = &self.excerpt {
+        if let Some(Excerpt { text, span, file }) = self.excerpt.as_deref() {
             let (before, rest) = text.split_at(span.start);
             let marked = first_characters(&rest[..span.len()], MOST_MARKED);
             let (before, shown) = (visible(before), visible(marked));
             let place = before.len()..before.len() + shown.len();
             let source = before + &shown + &visible(&rest[marked.len()..]);
-            let snippet = Snippet::source(source).path(self.file.as_deref().map(harmless));
+            let snippet = Snippet::source(source).path(file.as_deref().map(harmless));
             error = error.element(snippet.annotation(AnnotationKind::Primary.span(place)));
         }
         let renderer = renderer.clone().term_width(WINDOW);

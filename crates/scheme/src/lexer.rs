@@ -118,14 +118,14 @@ pub(crate) fn tokens(text: &str) -> Result<Vec<Lexed<'_>>, Diagnostic> {
 fn blanks<'t>(is_latex: bool) -> impl Parser<Text<'t>, (), EmptyError> {
     let blank = take_while(1.., char::is_whitespace);
     let spacing = one_of([',', ';', ':', '!', ' ', '\\']).take();
-    let command = preceded('\\', alt((spacing, "left", "right", "quad", "qquad")));
+    let command = preceded(one_of('\\'), alt((spacing, "left", "right", "quad", "qquad")));
     let mark = one_of(['~', '$', '&']).verify(move |_| is_latex).take();
     repeat(0.., alt((blank, command, mark)))
 }
 
 fn token<'t>(is_latex: bool) -> impl Parser<Text<'t>, Token<'t>, EmptyError> {
     // U+2212 is what a minus becomes when it is copied from a typeset page.
-    let mark = alt((one_of("+-*/^()[],@=:;".as_bytes()), '\u{2212}'.value('-')));
+    let mark = alt((one_of("+-*/^()[],@=:;".as_bytes()), one_of('\u{2212}').value('-')));
     let brace = one_of(['{', '}']).verify(move |_| is_latex);
     alt((
         number,
@@ -164,7 +164,7 @@ fn name<'t>(text: &mut Text<'t>) -> Lexing<'t> {
 
 /// A command of LaTeX: a fraction, a product, a Greek letter.
 fn command<'t>(text: &mut Text<'t>) -> Lexing<'t> {
-    let name: &str = preceded('\\', alpha0).parse_next(text)?;
+    let name: &str = preceded(one_of('\\'), alpha0).parse_next(text)?;
     Ok(match name {
         "frac" | "dfrac" | "tfrac" => Token::Fraction,
         "cdot" | "times" => Token::Mark('*'),
