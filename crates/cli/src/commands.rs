@@ -17,7 +17,7 @@ use refinable_report::{
     check, check_json, compare, degree_table, expected_file, export, norm_table, proof_text,
     range_table, regularity_table, report_site, rule_picture, schemes, sharp_range, show,
 };
-use refinable_scheme::{Scheme, SchemeFile, Substitution};
+use refinable_scheme::{Diagnostic, Scheme, SchemeFile, Substitution};
 
 use crate::arguments::{
     Arguments, AuditArguments, Command, FinenessArguments, Format, FormatArgument, MapArguments,
@@ -203,7 +203,7 @@ pub fn resolve_text(text: &str, arity: u32, set: &[String]) -> Result<Scheme, Fa
         substitutions.push(Substitution::parse(text)?);
     }
     if text.ends_with(SCHEME_FILE) {
-        return Ok(read_scheme(Path::new(text))?.scheme.with(&substitutions)?);
+        return Ok(read_scheme(Path::new(text))?.0.scheme.with(&substitutions)?);
     }
     Ok(Scheme::resolve_with(text, arity as usize, &substitutions)?)
 }
@@ -211,14 +211,17 @@ pub fn resolve_text(text: &str, arity: u32, set: &[String]) -> Result<Scheme, Fa
 /// How the names of scheme files end.
 const SCHEME_FILE: &str = ".toml";
 
-fn read_scheme(path: &Path) -> Result<SchemeFile, Failure> {
+/// The scheme of a file, and its text for errors that point into it.
+fn read_scheme(path: &Path) -> Result<(SchemeFile, String), Failure> {
     let bytes = files::read_limited(path)?;
     let text = String::from_utf8(bytes).map_err(|_| {
         let hint = "docs/scheme-files.md describes the format";
         Failure::new("file", format!("{}: this is no text", path.display()), hint)
     })?;
-    let file = SchemeFile::parse(&text);
-    Ok(file.map_err(|error| error.within(&path.display().to_string()))?)
+    match SchemeFile::parse(&text) {
+        Ok(file) => Ok((file, text)),
+        Err(error) => Err(error.in_file(&path.display().to_string(), &text).into()),
+    }
 }
 
 /// Checks one file after the other; exit code 1 if something differs.
@@ -226,8 +229,9 @@ fn check_files(paths: &[PathBuf], format: Format) -> Result<ExitCode, Failure> {
     let mut differs = false;
     let mut documents = Vec::new();
     for path in paths {
-        let file = read_scheme(path)?;
-        let checked = check(&file).map_err(|error| error.within(&path.display().to_string()))?;
+        let (file, text) = read_scheme(path)?;
+        let in_file = |error: Diagnostic| error.in_file(&path.display().to_string(), &text);
+        let checked = check(&file).map_err(in_file)?;
         let missed: Vec<&Checked> = checked.iter().filter(|c| !c.holds()).collect();
         differs |= !missed.is_empty();
         if format == Format::Json {

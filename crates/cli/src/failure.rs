@@ -1,6 +1,5 @@
 //! Errors as they are printed.
 
-use std::fmt;
 use std::io;
 use std::path::Path;
 
@@ -9,39 +8,29 @@ use refinable_scheme::Diagnostic;
 
 /// Something wrong with usage, input or files: exit code 2.
 #[derive(Debug)]
-pub struct Failure {
-    code: &'static str,
-    message: String,
-    hint: Option<String>,
-}
+pub struct Failure(Diagnostic);
 
 impl Failure {
     /// An error with a hint.
     pub fn new(code: &'static str, message: impl Into<String>, hint: impl Into<String>) -> Self {
-        Failure { code, message: message.into(), hint: Some(hint.into()) }
+        Failure(Diagnostic::new(code, message).with_hint(hint))
     }
 
     /// A file or directory that cannot be read or written.
     pub fn file(path: &Path, error: &io::Error) -> Self {
-        Failure { code: "file", message: format!("{}: {error}", path.display()), hint: None }
+        Failure(Diagnostic::new("file", format!("{}: {error}", path.display())))
     }
-}
 
-/// `error[code]: message`, then `hint:`.
-impl fmt::Display for Failure {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(f, "error[{}]: {}", self.code, self.message)?;
-        self.hint.iter().try_for_each(|hint| writeln!(f, "hint: {hint}"))
+    /// `error[code]: message`, the place, then `hint:`; in colours where standard error is a terminal that has them,
+    /// unless `NO_COLOR` is set.
+    pub fn print(&self) {
+        anstream::eprintln!("{}", self.0.styled());
     }
 }
 
 impl From<Diagnostic> for Failure {
     fn from(diagnostic: Diagnostic) -> Self {
-        Failure {
-            code: diagnostic.code(),
-            message: diagnostic.to_string(),
-            hint: diagnostic.hint().map(String::from),
-        }
+        Failure(diagnostic)
     }
 }
 

@@ -25,7 +25,7 @@ fn main() -> ExitCode {
     match commands::run(&arguments) {
         Ok(code) => code,
         Err(failure) => {
-            eprint!("{failure}");
+            failure.print();
             ExitCode::from(2)
         }
     }

@@ -42,7 +42,7 @@ impl<T: Coordinate> PointTable<T> {
     /// let table = PointTable::<f64>::parse("x, y\n0, 0\n1, 1/2\n").unwrap();
     /// assert_eq!((table.dimension, table.values), (2, vec![0.0, 0.0, 1.0, 0.5]));
     /// let error = PointTable::<f64>::parse("0, 0\n1, nan\n").unwrap_err();
-    /// assert_eq!(error.to_string(), "line 2: `nan` is no number");
+    /// assert_eq!(error.message(), "line 2: `nan` is no number");
     /// ```
     pub fn parse(text: &str) -> Result<Self, Diagnostic> {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
@@ -228,7 +228,7 @@ mod tests {
     use super::*;
 
     fn floats(text: &str) -> Result<PointTable<f64>, String> {
-        PointTable::parse(text).map_err(|error| error.to_string())
+        PointTable::parse(text).map_err(|error| error.message().to_string())
     }
 
     #[test]

@@ -331,7 +331,7 @@ fn interpolatory_schemes_keep_every_point() {
 fn what_cannot_be_refined_says_so() {
     let code = |result: Result<Polygon<f64>, refinable_scheme::Diagnostic>| {
         let error = result.unwrap_err();
-        (error.code(), error.to_string(), error.hint().unwrap_or_default().to_string())
+        (error.code(), error.message().to_string(), error.hint().unwrap_or_default().to_string())
     };
     let rule = weights::<f64>("dd6", 2);
     let line = |n: usize, closed| Polygon::new(1, vec![1.0; n], closed).unwrap();

@@ -3,15 +3,17 @@
 use std::fmt;
 use std::ops::Range;
 
-/// How many characters of the offending text an excerpt shows at most.
+use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet, normalize_untrusted_str};
+use unicode_width::UnicodeWidthChar;
+
+/// How wide an excerpt is at most, and how many characters of a value a message quotes.
 const WINDOW: usize = 100;
-/// How many of them come before the marked place when the text is cut.
-const LEAD: usize = 40;
+/// How many characters are marked at most; of more, the excerpt shows both ends.
+const MOST_MARKED: usize = 200;
 
 /// An error about undefined input: a stable code, a message, and where known a hint and the place.
 ///
-/// `Display` writes the message and, if there is an excerpt, the text with a line of carets below
-/// it. The hint is left to the caller, who prints it after the message.
+/// `Display` writes it whole: code and message, the line with carets below the place, and the hint.
 ///
 /// | code | meaning |
 /// |---|---|
@@ -32,14 +34,25 @@ const LEAD: usize = 40;
 /// ```
 /// use refinable_scheme::Diagnostic;
 /// let error = Diagnostic::new("syntax", "a product needs `*`").at("1/16a", 4..5);
-/// assert_eq!(error.to_string(), "a product needs `*`\n1/16a\n    ^");
+/// assert_eq!(
+///     error.with_hint("write `1/16*a`").to_string(),
+///     "error[syntax]: a product needs `*`\n  |\n1 | 1/16a\n  |     ^\nhint: write `1/16*a`",
+/// );
 /// ```
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Diagnostic {
     code: &'static str,
     message: String,
     hint: Option<String>,
-    excerpt: Option<(String, Range<usize>)>,
+    excerpt: Option<Box<Excerpt>>,
+}
+
+/// The offending text, the bytes of it that are wrong, and the file whose contents it is.
+#[derive(Clone, PartialEq, Eq, Debug)]
+struct Excerpt {
+    text: String,
+    span: Range<usize>,
+    file: Option<String>,
 }
 
 impl Diagnostic {
@@ -59,7 +72,8 @@ impl Diagnostic {
     /// innermost one is the most precise.
     #[must_use]
     pub fn at(mut self, text: &str, span: Range<usize>) -> Self {
-        self.excerpt.get_or_insert_with(|| (text.to_string(), span));
+        self.excerpt
+            .get_or_insert_with(|| Box::new(Excerpt { text: text.to_string(), span, file: None }));
         self
     }
 
@@ -68,6 +82,27 @@ impl Diagnostic {
     pub fn within(mut self, place: &str) -> Self {
         self.message = format!("{place}: {}", self.message);
         self
+    }
+
+    /// The same, in the file `path` with the text `contents`: there if the offending text stands in it once, and
+    /// otherwise with the path in front of the message.
+    #[must_use]
+    pub fn in_file(mut self, path: &str, contents: &str) -> Self {
+        let Some(excerpt) = &mut self.excerpt else {
+            return self.within(path);
+        };
+        let mut places = contents.match_indices(&excerpt.text);
+        let (Some((at, _)), None) = (places.next(), places.next()) else {
+            return self.within(path);
+        };
+        let span = at + excerpt.span.start..at + excerpt.span.end;
+        **excerpt = Excerpt { text: contents.to_string(), span, file: Some(path.to_string()) };
+        self
+    }
+
+    /// The same as `Display` with the colours of a terminal.
+    pub fn styled(&self) -> String {
+        self.rendered(&Renderer::styled())
     }
 
     /// The stable code, see the table above.
@@ -87,78 +122,135 @@ impl Diagnostic {
 
     /// The offending text and the byte range in it.
     pub fn excerpt(&self) -> Option<(&str, Range<usize>)> {
-        self.excerpt.as_ref().map(|(text, span)| (text.as_str(), span.clone()))
+        self.excerpt.as_ref().map(|excerpt| (excerpt.text.as_str(), excerpt.span.clone()))
+    }
+}
+
+impl Diagnostic {
+    fn rendered(&self, renderer: &Renderer) -> String {
+        let title = Level::ERROR.primary_title(visible(&self.message)).id(self.code);
+        let mut error = Group::with_title(title);
+        if let Some(Excerpt { text, span, file }) = self.excerpt.as_deref() {
+            let (before, rest) = text.split_at(span.start);
+            let marked = first_characters(&rest[..span.len()], MOST_MARKED);
+            let (before, shown) = (visible(before), visible(marked));
+            let place = before.len()..before.len() + shown.len();
+            let source = before + &shown + &visible(&rest[marked.len()..]);
+            let snippet = Snippet::source(source).path(file.as_deref().map(harmless));
+            error = error.element(snippet.annotation(AnnotationKind::Primary.span(place)));
+        }
+        let renderer = renderer.clone().term_width(WINDOW);
+        // The hint by itself: as a second group it would be tied to the first by a bar.
+        let hint = self.hint.as_ref().map(|hint| {
+            let title = Level::HELP.with_name("hint").secondary_title(harmless(hint));
+            format!("\n{}", renderer.render(&[Group::with_title(title)]))
+        });
+        renderer.render(&[error]) + &hint.unwrap_or_default()
     }
 }
 
 impl fmt::Display for Diagnostic {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.message)?;
-        let Some((text, span)) = &self.excerpt else {
-            return Ok(());
-        };
-        let (line, carets) = underlined(text, span);
-        write!(f, "\n{line}\n{carets}")
+        f.write_str(&self.rendered(&Renderer::plain()))
     }
 }
 
 impl std::error::Error for Diagnostic {}
 
-/// The text, cut to a window around the span, and the carets below it, counted in characters.
-fn underlined(text: &str, span: &Range<usize>) -> (String, String) {
-    let chars: Vec<char> = text.chars().map(printable).collect();
-    let index_of = |byte: usize| text.char_indices().take_while(|(at, _)| *at < byte).count();
-    let (start, end) = (index_of(span.start), index_of(span.end));
-    let first = if chars.len() <= WINDOW {
-        0
-    } else {
-        start.saturating_sub(LEAD).min(chars.len() - WINDOW)
-    };
-    let last = chars.len().min(first + WINDOW);
-    let before = if first > 0 { "…" } else { "" };
-    let after = if last < chars.len() { "…" } else { "" };
-    let shown: String = chars[first..last].iter().collect();
-    let indent = before.chars().count() + start - first;
-    let width = end.min(last).saturating_sub(start).max(1);
-    (format!("{before}{shown}{after}"), format!("{}{}", " ".repeat(indent), "^".repeat(width)))
-}
-
-/// A value as a message quotes it: cut after as many characters as an excerpt shows.
+/// A value as a message quotes it: cut after as many characters as an excerpt is wide.
 pub(crate) fn shortened(value: impl fmt::Display) -> String {
     let text = value.to_string();
-    match text.char_indices().nth(WINDOW) {
-        Some((end, _)) => format!("{}…", &text[..end]),
-        None => text,
-    }
+    let shown = first_characters(&text, WINDOW);
+    let cut = if shown.len() < text.len() { "…" } else { "" };
+    format!("{shown}{cut}")
 }
 
-/// A line break or a tab would move the carets away from what they point at.
-fn printable(c: char) -> char {
-    if c.is_control() { ' ' } else { c }
+fn first_characters(text: &str, count: usize) -> &str {
+    text.char_indices().nth(count).map_or(text, |(end, _)| &text[..end])
+}
+
+/// The text with a mark in place of what takes no room, such as a control character: a terminal might obey it, and no
+/// excerpt would be cut to it. The renderer does the same for ASCII, in titles and excerpts.
+fn visible(text: &str) -> String {
+    let takes_room = |c: &char| c.is_ascii() || c.width().unwrap_or(0) > 0;
+    text.chars().map(|c| if takes_room(&c) { c } else { char::REPLACEMENT_CHARACTER }).collect()
+}
+
+/// The same for texts that the renderer takes as they are.
+fn harmless(text: &str) -> String {
+    normalize_untrusted_str(&visible(text))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    fn shown(text: &str, span: Range<usize>) -> Vec<String> {
+        let error = Diagnostic::new("syntax", "no").at(text, span).to_string();
+        error.lines().map(String::from).collect()
+    }
+
     #[test]
-    fn carets_count_characters_not_bytes() {
-        let error = Diagnostic::new("syntax", "no").at("αβ + γ", 7..9);
-        assert_eq!(error.to_string(), "no\nαβ + γ\n     ^");
-        let end = Diagnostic::new("syntax", "no").at("1\t+", 3..3);
-        assert_eq!(end.to_string(), "no\n1 +\n   ^");
+    fn carets_count_columns_not_bytes() {
+        let lines = |text: &str, carets: &str| {
+            vec![
+                "error[syntax]: no".into(),
+                "  |".into(),
+                format!("1 | {text}"),
+                format!("  | {carets}"),
+            ]
+        };
+        assert_eq!(shown("αβ + γ", 7..9), lines("αβ + γ", "     ^"));
+        assert_eq!(shown("字+", 3..4), lines("字+", "  ^"));
+        assert_eq!(shown("1 +", 3..3), lines("1 +", "   ^"));
+    }
+
+    #[test]
+    fn a_place_in_a_file_is_shown_there() {
+        let error = Diagnostic::new("syntax", "no").at("[1 2]", 3..4);
+        let shown = error.clone().in_file("hat.toml", "name = 'hat'\nmask = '[1 2]'\n").to_string();
+        let expected =
+            "error[syntax]: no\n --> hat.toml:2:12\n  |\n2 | mask = '[1 2]'\n  |            ^";
+        assert_eq!(shown, expected);
+        // Which of two places is meant is not guessed.
+        let twice = error.in_file("hat.toml", "mask = '[1 2]' # [1 2]");
+        assert_eq!((twice.message(), twice.excerpt()), ("hat.toml: no", Some(("[1 2]", 3..4))));
     }
 
     #[test]
     fn a_long_text_is_cut_around_the_place() {
-        let text = format!("{}X{}", "a".repeat(500), "b".repeat(500));
-        let shown = Diagnostic::new("syntax", "no").at(&text, 500..501).to_string();
-        let lines: Vec<_> = shown.lines().collect();
-        let place = lines[2].chars().count() - 1;
-        assert_eq!(lines[1].chars().nth(place), Some('X'));
-        assert_eq!(lines[1].chars().count(), WINDOW + 2);
-        let last = Diagnostic::new("syntax", "no").at(&text, 1001..1001);
-        assert!(last.to_string().lines().all(|l| l.chars().count() <= WINDOW + 2));
+        for (around, width) in [("a", 1), ("字", 2), ("\u{301}", 1), ("\t", 4)] {
+            let text = around.repeat(100_000) + "X" + &around.repeat(100_000);
+            let start = 100_000 * around.len();
+            for span in [
+                start..start + 1,
+                0..start,
+                0..text.len(),
+                start..text.len(),
+                text.len()..text.len(),
+            ] {
+                let lines = shown(&text, span.clone());
+                assert!(
+                    lines.iter().all(|l| l.chars().count() <= 3 * WINDOW + 10),
+                    "{around:?} {span:?}"
+                );
+            }
+            let lines = shown(&text, start..start + 1);
+            let place = lines[3].find('^').expect("a caret") - 4;
+            let (before, _) = lines[2][4..].split_once('X').expect("the place");
+            let columns: usize = before.chars().map(|c| c.width().unwrap_or(0)).sum();
+            assert_eq!(columns, place, "{around:?} of width {width}");
+        }
+    }
+
+    /// Escape sequences begin with one of two control characters; a bell rings, and some text runs backwards.
+    #[test]
+    fn nothing_that_a_terminal_obeys_is_shown() {
+        let evil = "\u{1b}[31m\u{9b}31m\u{7}\u{85}\u{202e}\u{200b}\0";
+        let error = Diagnostic::new("syntax", evil).with_hint(evil).at(evil, 0..evil.len());
+        let shown = error.in_file(evil, evil).to_string();
+        assert!(!shown.contains(|c: char| c.is_control() && c != '\n'), "{shown:?}");
+        assert!(!shown.contains(['\u{202e}', '\u{200b}']));
     }
 
     #[test]

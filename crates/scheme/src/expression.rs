@@ -10,7 +10,8 @@ use refinable_algebra::{ParameterFraction, Rational};
 use crate::budget::Budget;
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::Evaluator;
-use crate::parser::Parser;
+use crate::parser::sum;
+use crate::reading::read;
 
 /// The variable of symbols; never a parameter.
 pub(crate) const SYMBOL_VARIABLE: &str = "z";
@@ -78,7 +79,7 @@ impl Expression {
     /// `syntax` with the place and, where one is known, another way to write it; `budget` for a text
     /// over 1 MiB, nesting over 200, numbers over 10 000 digits or exponents over 10 000.
     pub fn parse(text: &str) -> Result<Self, Diagnostic> {
-        let root = Parser::new(text)?.whole_expression()?;
+        let root = read(text, sum)?;
         Ok(Expression { text: text.into(), root })
     }
 

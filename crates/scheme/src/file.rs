@@ -122,15 +122,14 @@ impl SchemeFile {
     /// let file = SchemeFile::parse("name = 'hat'\nmask = '[1/2, 1, 1/2]'\n[[expect]]\nsupport = [-1, 1]\n");
     /// assert_eq!(file.unwrap().expectations[0].support, Some([-1, 1]));
     /// let error = SchemeFile::parse("name = 'hat'\nmsk = '[1/2, 1, 1/2]'\n").unwrap_err();
-    /// assert!(error.message().starts_with("line 2: unknown field `msk`"));
+    /// assert!(error.to_string().contains("\n2 | msk = '[1/2, 1, 1/2]'\n  | ^^^\n"));
     /// ```
     pub fn parse(text: &str) -> Result<Self, Diagnostic> {
         let fields: Fields = toml::from_str(text).map_err(|error| {
-            let before = error.span().map_or(0, |span| text[..span.start].matches('\n').count());
-            let line = before + 1;
             let message = error.message().lines().next().unwrap_or_default();
-            Diagnostic::new("file", format!("line {line}: {message}"))
-                .with_hint("docs/scheme-files.md describes the format")
+            let hint = "docs/scheme-files.md describes the format";
+            let error_of_file = Diagnostic::new("file", message).with_hint(hint);
+            error_of_file.at(text, error.span().unwrap_or(0..0))
         })?;
         let mut substitutions = Vec::new();
         for set in &fields.set {

@@ -8,17 +8,21 @@
 //! ```
 
 use std::collections::BTreeSet;
+use std::ops::Range;
 
 use refinable_algebra::{Rational, Ring};
+use winnow::combinator::{alt, delimited, fail, not, opt, peek, preceded, separated, terminated};
+use winnow::prelude::*;
+use winnow::token::any;
 
 use crate::budget::{Budget, FARTHEST_INDEX, MOST_TERMS};
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::Evaluator;
 use crate::expression::{Node, NodeKind, SYMBOL_VARIABLE};
-use crate::lexer::Token;
 use crate::mask::Mask;
-use crate::parser::Parser;
+use crate::parser::{integer, sum, sum_after, term};
 use crate::quotient::Quotient;
+use crate::reading::{Input, Reading, end, here, need, read, refuse, too_much, unexpected};
 
 /// A mask as it was typed.
 enum Typed {
@@ -54,7 +58,7 @@ impl Mask {
     /// `syntax`, `symbol`, `pole`, `irrational`, `zero-mask`, `arity`, `budget`.
     pub fn parse(text: &str, arity: usize) -> Result<Self, Diagnostic> {
         let mut budget = Budget::new();
-        let symbol = match Parser::new(text)?.mask()? {
+        let symbol = match read(text, mask)? {
             Typed::Symbol(root) => symbol_value(text, &root, &mut budget)?,
             Typed::List(list) => list.value(text, &mut budget)?,
             Typed::Rules(rules) => rules_value(text, &rules, arity, &mut budget)?,
@@ -140,137 +144,108 @@ impl List {
     }
 }
 
-impl Parser<'_> {
-    fn mask(mut self) -> Result<Typed, Diagnostic> {
-        if self.text.contains(':') {
-            return self.rules();
-        }
-        if self.current.token == Token::OpenList {
-            return self.whole_list(None);
-        }
-        let first = self.term(true)?;
-        // The term has taken the `*` in front of the bracket, otherwise it would have failed.
-        if self.current.token == Token::OpenList {
-            return self.whole_list(Some(first));
-        }
-        let root = self.sum_after(first)?;
-        self.expect_end()?;
-        Ok(Typed::Symbol(root))
+fn mask(input: &mut Input<'_>) -> Reading<Typed> {
+    if input.state.text.contains(':') {
+        return rules.map(Typed::Rules).parse_next(input);
     }
-
-    fn whole_list(mut self, factor: Option<Node>) -> Result<Typed, Diagnostic> {
-        let list = self.list(factor)?;
-        if self.current.token == Token::Semicolon {
-            return Err(self.unexpected().with_hint("entries are separated by commas"));
+    let factor = list_factor(input)?;
+    let is_list = peek(bracket).parse_next(input).is_ok();
+    match factor {
+        Some(first) if !is_list => Ok(Typed::Symbol(sum_after(first, input)?)),
+        factor => {
+            let list = list(factor, input)?;
+            refuse(';', separate_entries).parse_next(input)?;
+            Ok(Typed::List(list))
         }
-        self.expect_end()?;
-        Ok(Typed::List(list))
     }
+}
 
-    fn rules(mut self) -> Result<Typed, Diagnostic> {
-        let mut rules = Vec::new();
-        loop {
-            let class = self.class()?;
-            let factor = match self.current.token {
-                Token::OpenList => None,
-                _ => Some(self.term(true)?),
-            };
-            if self.current.token != Token::OpenList {
-                return Err(
-                    self.error("a rule is a list of weights, as in `even: [1/8, 3/4, 1/8]`")
-                );
-            }
-            let list = self.list(factor)?;
-            rules.push((class, list));
-            if !self.take(&Token::Semicolon)? {
-                break;
-            }
-            if self.current.token == Token::End {
-                break;
-            }
-        }
-        self.expect_end()?;
-        Ok(Typed::Rules(rules))
+/// The factor of a list, or the first term of a symbol.
+fn list_factor(input: &mut Input<'_>) -> Reading<Option<Node>> {
+    opt(preceded(not('['), term(true))).parse_next(input)
+}
+
+fn bracket(input: &mut Input<'_>) -> Reading<Range<usize>> {
+    preceded(opt('*'), '['.span()).parse_next(input)
+}
+
+fn rules(input: &mut Input<'_>) -> Reading<Vec<(u64, List)>> {
+    let separator = terminated(';', not(end));
+    terminated(separated(1.., rule, separator), opt(';')).parse_next(input)
+}
+
+fn rule(input: &mut Input<'_>) -> Reading<(u64, List)> {
+    // Taken only when it is understood, so that the error points at it.
+    let class = need(terminated(peek(class), any), |input| {
+        here(input, "a rule begins with `even:`, `odd:` or its number and `:`")
+    });
+    let colon = need(':', |input| here(input, "the name of a rule is followed by `:`"));
+    let (class, factor) = (terminated(class, colon), list_factor).parse_next(input)?;
+    Ok((class, list(factor, input)?))
+}
+
+/// `even`, `odd` or a number.
+fn class(input: &mut Input<'_>) -> Reading<u64> {
+    let number = |input: &mut Input<'_>| match u64::try_from(integer(input)?) {
+        Ok(number) => Ok(number),
+        Err(_) => fail(input),
+    };
+    alt(("even".value(0), "odd".value(1), number)).parse_next(input)
+}
+
+/// From the bracket on, or the `*` in front of it.
+fn list(factor: Option<Node>, input: &mut Input<'_>) -> Reading<List> {
+    let no_list = |input: &Input<'_>| {
+        here(input, "a rule is a list of weights, as in `even: [1/8, 3/4, 1/8]`")
+    };
+    let not_empty = refuse(']', |input| here(input, "the list is empty"));
+    let bracket = terminated(need(bracket, no_list), not_empty).parse_next(input)?;
+    let entries: Vec<Node> =
+        separated(1..=MOST_TERMS as usize + 1, entry, ',').parse_next(input)?;
+    if entries.len() as u64 > MOST_TERMS {
+        let message = format!("a list has at most {MOST_TERMS} entries");
+        return too_much(message, bracket, input);
     }
+    let closed = preceded(refuse(end, not_closed), need(']', separate_entries));
+    let index = opt(preceded('@', index));
+    let factor_behind = refuse(alt(('*', '/')), |input| {
+        unexpected(input).with_hint("write the factor in front, as in `1/16*[...]`")
+    });
+    let first = delimited(closed, index, factor_behind).parse_next(input)?;
+    Ok(List { factor, entries, first })
+}
 
-    /// `even:`, `odd:` or a number and a colon.
-    fn class(&mut self) -> Result<u64, Diagnostic> {
-        let class = match &self.current.token {
-            Token::Name(name) if name == "even" => Some(0),
-            Token::Name(name) if name == "odd" => Some(1),
-            Token::Number => u64::try_from(self.integer(&self.current)?).ok(),
-            _ => None,
-        };
-        let error = self.error("a rule begins with `even:`, `odd:` or its number and `:`");
-        let class = class.ok_or(error)?;
-        self.bump()?;
-        if !self.take(&Token::Colon)? {
-            return Err(self.error("the name of a rule is followed by `:`"));
-        }
-        Ok(class)
-    }
+fn not_closed(input: &Input<'_>) -> Diagnostic {
+    here(input, "the list is not closed: `]` is missing")
+}
 
-    /// From the bracket on.
-    fn list(&mut self, factor: Option<Node>) -> Result<List, Diagnostic> {
-        let open = self.bump()?.span;
-        let mut entries = Vec::new();
-        loop {
-            entries.push(self.entry(entries.len())?);
-            if entries.len() as u64 > MOST_TERMS {
-                let message = format!("a list has at most {MOST_TERMS} entries");
-                return Err(Diagnostic::new("budget", message).at(self.text, open));
-            }
-            match self.current.token {
-                Token::Comma => self.bump()?,
-                Token::CloseList => break,
-                Token::End => return Err(self.error("the list is not closed: `]` is missing")),
-                _ => {
-                    return Err(self.unexpected().with_hint("entries are separated by commas"));
-                }
-            };
-        }
-        self.bump()?;
-        let first = self.first_index()?;
-        if matches!(self.current.token, Token::Star | Token::Slash) {
-            return Err(self
-                .unexpected()
-                .with_hint("write the factor in front, as in `1/16*[...]`"));
-        }
-        Ok(List { factor, entries, first })
-    }
+fn separate_entries(input: &Input<'_>) -> Diagnostic {
+    unexpected(input).with_hint("entries are separated by commas")
+}
 
-    fn entry(&mut self, index: usize) -> Result<Node, Diagnostic> {
-        match self.current.token {
-            Token::CloseList if index == 0 => return Err(self.error("the list is empty")),
-            Token::CloseList => return Err(self.error("an entry is missing after the last comma")),
-            Token::Comma => return Err(self.error("an entry is missing before this comma")),
-            Token::End => return Err(self.error("the list is not closed: `]` is missing")),
-            _ => {}
-        }
-        self.at_entry_level = true;
-        let first = self.term(false)?;
-        let entry = self.sum_after(first)?;
-        self.at_entry_level = false;
-        Ok(entry)
-    }
+fn entry(input: &mut Input<'_>) -> Reading<Node> {
+    (
+        refuse(']', |input| here(input, "an entry is missing after the last comma")),
+        refuse(',', |input| here(input, "an entry is missing before this comma")),
+        refuse(end, not_closed),
+    )
+        .parse_next(input)?;
+    input.state.at_entry_level = true;
+    let entry = sum(input)?;
+    input.state.at_entry_level = false;
+    Ok(entry)
+}
 
-    /// What follows `@`, if that follows.
-    fn first_index(&mut self) -> Result<Option<i64>, Diagnostic> {
-        if !self.take(&Token::At)? {
-            return Ok(None);
-        }
-        let negative = self.take(&Token::Minus)?;
-        if self.current.token != Token::Number {
-            return Err(self.error("`@` is followed by the integer index of the first entry"));
-        }
-        let number = self.bump()?;
-        let size = self.integer(&number)?;
-        match i64::try_from(size) {
-            Ok(size) if size <= FARTHEST_INDEX => Ok(Some(if negative { -size } else { size })),
-            _ => {
-                let message = format!("indices go up to {FARTHEST_INDEX} in magnitude");
-                Err(Diagnostic::new("budget", message).at(self.text, number.span))
-            }
+/// The index of the first entry.
+fn index(input: &mut Input<'_>) -> Reading<i64> {
+    let no_index =
+        |input: &Input<'_>| here(input, "`@` is followed by the integer index of the first entry");
+    let (sign, (size, span)) = (opt('-'), need(integer, no_index).with_span()).parse_next(input)?;
+    match i64::try_from(size) {
+        Ok(size) if size <= FARTHEST_INDEX => Ok(if sign.is_some() { -size } else { size }),
+        _ => {
+            let message = format!("indices go up to {FARTHEST_INDEX} in magnitude");
+            too_much(message, span, input)
         }
     }
 }

@@ -1,6 +1,21 @@
 //! Tokens of the notation for expressions, lists and substitutions.
+//!
+//! ```text
+//! token   = number | name | "\frac" | mark
+//! number  = digits [ "." digits ]
+//! name    = letter { Latin letter | digit | "_" } | "\" Greek name
+//! mark    = "+" | "-" | "*" | "/" | "^" | "(" | ")" | "[" | "]" | "," | "@" | "=" | ":" | ";" | "{" | "}"
+//! ```
 
+use std::borrow::Cow;
 use std::ops::Range;
+
+use winnow::ascii::{alpha0, digit0, digit1};
+use winnow::combinator::{alt, eof, opt, preceded, repeat};
+use winnow::error::EmptyError;
+use winnow::prelude::*;
+use winnow::stream::{LocatingSlice, Location};
+use winnow::token::{any, one_of, take_while};
 
 use crate::diagnostic::Diagnostic;
 
@@ -11,199 +26,158 @@ const MOST_DIGITS: usize = 10_000;
 
 /// The kinds of tokens; a number is read off its span.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub(crate) enum Token {
+pub(crate) enum Token<'t> {
     Number,
-    Name(String),
-    Plus,
-    Minus,
-    Star,
-    Slash,
-    Caret,
-    Open,
-    Close,
-    OpenList,
-    CloseList,
-    Comma,
-    At,
-    Equals,
-    Colon,
-    Semicolon,
+    Name(Cow<'t, str>),
+    Mark(char),
     /// `\frac`, before two groups in braces.
     Fraction,
-    OpenBrace,
-    CloseBrace,
     End,
+    /// What is no token; nothing is read behind it.
+    Unreadable(Box<Diagnostic>),
 }
 
 /// A token with its bytes, and whether a blank stands before it.
-#[derive(Clone, Debug)]
-pub(crate) struct Lexed {
-    pub token: Token,
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(crate) struct Lexed<'t> {
+    pub token: Token<'t>,
     pub span: Range<usize>,
     pub after_blank: bool,
 }
 
-/// Reads tokens one by one.
-pub(crate) struct Lexer<'a> {
-    text: &'a str,
-    position: usize,
-    is_latex: bool,
-}
-
-impl<'a> Lexer<'a> {
-    /// # Errors
-    /// `budget` if the text is longer than 1 MiB.
-    pub fn new(text: &'a str) -> Result<Self, Diagnostic> {
-        if text.len() > LONGEST_TEXT {
-            let message = format!("the text has {} bytes; at most 1 MiB is read", text.len());
-            return Err(Diagnostic::new("budget", message));
-        }
-        Ok(Lexer { text, position: 0, is_latex: text.contains('\\') })
-    }
-
-    /// Whether the text is LaTeX: it has a backslash, which nothing else has.
-    pub fn is_latex(&self) -> bool {
-        self.is_latex
-    }
-
-    /// The next token; `End` again and again at the end.
-    pub fn next(&mut self) -> Result<Lexed, Diagnostic> {
-        let blanks = self.skip_blanks();
-        let start = self.position;
-        let Some(c) = self.peek() else {
-            return Ok(self.lexed(Token::End, start, blanks > 0));
-        };
-        let token = if c.is_ascii_digit() {
-            self.number()?
-        } else if let Some(name) = self.name() {
-            Token::Name(name)
-        } else if c == '\\' {
-            self.command()?
-        } else if let Some(token) = brace(c).filter(|_| self.is_latex) {
-            self.position += 1;
-            token
-        } else {
-            self.position += c.len_utf8();
-            let span = start..self.position;
-            punctuation(c).ok_or_else(|| unexpected(c).at(self.text, span))?
-        };
-        Ok(self.lexed(token, start, blanks > 0))
-    }
-
-    fn lexed(&self, token: Token, start: usize, after_blank: bool) -> Lexed {
-        Lexed { token, span: start..self.position, after_blank }
-    }
-
-    fn peek(&self) -> Option<char> {
-        self.text[self.position..].chars().next()
-    }
-
-    /// Skips while `wanted` holds and returns the number of bytes skipped.
-    fn skip(&mut self, wanted: impl Fn(char) -> bool) -> usize {
-        let rest = &self.text[self.position..];
-        let length = rest.find(|c| !wanted(c)).unwrap_or(rest.len());
-        self.position += length;
-        length
-    }
-
-    /// Skips blanks, and in LaTeX what only spaces, aligns or sizes things.
-    fn skip_blanks(&mut self) -> usize {
-        let start = self.position;
-        loop {
-            self.skip(char::is_whitespace);
-            let rest = &self.text[self.position..];
-            let blank = LATEX_BLANKS
-                .iter()
-                .filter(|blank| rest.starts_with(**blank))
-                .max_by_key(|b| b.len());
-            match blank.filter(|_| self.is_latex) {
-                Some(blank) => self.position += blank.len(),
-                None => return self.position - start,
-            }
-        }
-    }
-
-    /// A command of LaTeX: a fraction, a product, a Greek letter.
-    fn command(&mut self) -> Result<Token, Diagnostic> {
-        let start = self.position;
-        self.position += 1;
-        self.skip(|c| c.is_ascii_alphabetic());
-        let name = &self.text[start + 1..self.position];
-        match name {
-            "frac" | "dfrac" | "tfrac" => Ok(Token::Fraction),
-            "cdot" | "times" => Ok(Token::Star),
-            _ if GREEK.iter().any(|(_, english)| *english == name) => Ok(Token::Name(name.into())),
-            _ => {
-                let end = self.position.max(start + 1);
-                let message = format!("`{}` is not read here", &self.text[start..end]);
-                let hint = "of LaTeX, Greek letters, `\\frac{…}{…}`, `\\cdot` and spaces are read";
-                Err(Diagnostic::new("syntax", message).with_hint(hint).at(self.text, start..end))
-            }
-        }
-    }
-
-    /// Digits, then perhaps a point and more digits.
-    fn number(&mut self) -> Result<Token, Diagnostic> {
-        let start = self.position;
-        self.skip(|c| c.is_ascii_digit());
-        if self.peek() == Some('.') {
-            self.position += 1;
-            if self.skip(|c| c.is_ascii_digit()) == 0 {
-                let error = Diagnostic::new("syntax", "a decimal needs digits after the point");
-                let written = &self.text[start..self.position];
-                let short = if written.len() <= 20 { written } else { "1." };
-                let hint = format!("write `{short}0`");
-                return Err(error.with_hint(hint).at(self.text, start..self.position));
-            }
-        }
-        let length = self.position - start;
-        if length > MOST_DIGITS {
-            let message = format!("a number of {length} digits; at most {MOST_DIGITS} are read");
-            return Err(Diagnostic::new("budget", message).at(self.text, start..self.position));
-        }
-        Ok(Token::Number)
-    }
-
-    /// A letter, Latin or Greek, then Latin letters, digits and underscores.
-    fn name(&mut self) -> Option<String> {
-        let c = self.peek()?;
-        let mut name = match english(c) {
-            Some(english) => english.to_string(),
-            None if c.is_ascii_alphabetic() => c.to_string(),
-            None => return None,
-        };
-        self.position += c.len_utf8();
-        let rest = self.position;
-        self.skip(|c| c.is_ascii_alphanumeric() || c == '_');
-        name.push_str(&self.text[rest..self.position]);
-        Some(name)
+/// So that `'+'` is the parser of a plus.
+impl PartialEq<char> for Lexed<'_> {
+    fn eq(&self, mark: &char) -> bool {
+        self.token == Token::Mark(*mark)
     }
 }
 
-fn punctuation(c: char) -> Option<Token> {
-    Some(match c {
-        '+' => Token::Plus,
-        // U+2212 is what a minus becomes when it is copied from a typeset page.
-        '-' | '\u{2212}' => Token::Minus,
-        '*' => Token::Star,
-        '/' => Token::Slash,
-        '^' => Token::Caret,
-        '(' => Token::Open,
-        ')' => Token::Close,
-        '[' => Token::OpenList,
-        ']' => Token::CloseList,
-        ',' => Token::Comma,
-        '@' => Token::At,
-        '=' => Token::Equals,
-        ':' => Token::Colon,
-        ';' => Token::Semicolon,
-        _ => return None,
+/// So that `"odd"` is the parser of that name.
+impl PartialEq<&str> for Lexed<'_> {
+    fn eq(&self, name: &&str) -> bool {
+        matches!(&self.token, Token::Name(found) if found == name)
+    }
+}
+
+impl Location for Lexed<'_> {
+    fn previous_token_end(&self) -> usize {
+        self.span.end
+    }
+
+    fn current_token_start(&self) -> usize {
+        self.span.start
+    }
+}
+
+impl From<Diagnostic> for Token<'_> {
+    fn from(error: Diagnostic) -> Self {
+        Token::Unreadable(Box::new(error))
+    }
+}
+
+type Text<'t> = LocatingSlice<&'t str>;
+type Lexing<'t> = Result<Token<'t>, EmptyError>;
+
+pub(crate) fn syntax(message: impl Into<String>) -> Diagnostic {
+    Diagnostic::new("syntax", message)
+}
+
+/// Whether the text is LaTeX: it has a backslash, which nothing else has.
+pub(crate) fn is_latex(text: &str) -> bool {
+    text.contains('\\')
+}
+
+/// The tokens of a text; the last one, and no other, is `End` or `Unreadable`.
+///
+/// # Errors
+/// `budget` if the text is longer than 1 MiB.
+pub(crate) fn tokens(text: &str) -> Result<Vec<Lexed<'_>>, Diagnostic> {
+    if text.len() > LONGEST_TEXT {
+        let message = format!("the text has {} bytes; at most 1 MiB is read", text.len());
+        return Err(Diagnostic::new("budget", message));
+    }
+    let is_latex = is_latex(text);
+    let mut next = (blanks(is_latex).take(), token(is_latex).with_span());
+    let (mut rest, mut tokens) = (LocatingSlice::new(text), Vec::new());
+    loop {
+        let (blanks, (token, span)) = next.parse_next(&mut rest).expect("there is always a token");
+        let after_blank = !blanks.is_empty();
+        let token = match token {
+            Token::Unreadable(error) => error.at(text, span.clone()).into(),
+            token => token,
+        };
+        let is_last = matches!(token, Token::End | Token::Unreadable(_));
+        tokens.push(Lexed { token, span, after_blank });
+        if is_last {
+            return Ok(tokens);
+        }
+    }
+}
+
+/// Blanks, and in LaTeX what only spaces, aligns or sizes things.
+fn blanks<'t>(is_latex: bool) -> impl Parser<Text<'t>, (), EmptyError> {
+    let blank = take_while(1.., char::is_whitespace);
+    let spacing = one_of([',', ';', ':', '!', ' ', '\\']).take();
+    let command = preceded(one_of('\\'), alt((spacing, "left", "right", "quad", "qquad")));
+    let mark = one_of(['~', '$', '&']).verify(move |_| is_latex).take();
+    repeat(0.., alt((blank, command, mark)))
+}
+
+fn token<'t>(is_latex: bool) -> impl Parser<Text<'t>, Token<'t>, EmptyError> {
+    // U+2212 is what a minus becomes when it is copied from a typeset page.
+    let mark = alt((one_of("+-*/^()[],@=:;".as_bytes()), one_of('\u{2212}').value('-')));
+    let brace = one_of(['{', '}']).verify(move |_| is_latex);
+    alt((
+        number,
+        alt((mark, brace)).map(Token::Mark),
+        name,
+        command,
+        eof.value(Token::End),
+        any.map(unexpected),
+    ))
+}
+
+/// Digits, then perhaps a point and more digits.
+fn number<'t>(text: &mut Text<'t>) -> Lexing<'t> {
+    let number = (digit1, opt(('.', digit0))).take().parse_next(text)?;
+    if number.ends_with('.') {
+        let short = if number.len() <= 20 { number } else { "1." };
+        let hint = format!("write `{short}0`");
+        return Ok(syntax("a decimal needs digits after the point").with_hint(hint).into());
+    }
+    if number.len() > MOST_DIGITS {
+        let length = number.len();
+        let message = format!("a number of {length} digits; at most {MOST_DIGITS} are read");
+        return Ok(Diagnostic::new("budget", message).into());
+    }
+    Ok(Token::Number)
+}
+
+/// A letter, Latin or Greek, then Latin letters, digits and underscores.
+fn name<'t>(text: &mut Text<'t>) -> Lexing<'t> {
+    let latin = one_of(|c: char| c.is_ascii_alphabetic()).value(None);
+    let letter = alt((latin, any.verify_map(english).map(Some)));
+    let rest = take_while(0.., |c: char| c.is_ascii_alphanumeric() || c == '_');
+    let ((letter, rest), written) = (letter, rest).with_taken().parse_next(text)?;
+    Ok(Token::Name(letter.map_or(written.into(), |english| format!("{english}{rest}").into())))
+}
+
+/// A command of LaTeX: a fraction, a product, a Greek letter.
+fn command<'t>(text: &mut Text<'t>) -> Lexing<'t> {
+    let name: &str = preceded(one_of('\\'), alpha0).parse_next(text)?;
+    Ok(match name {
+        "frac" | "dfrac" | "tfrac" => Token::Fraction,
+        "cdot" | "times" => Token::Mark('*'),
+        _ if GREEK.iter().any(|(_, english)| *english == name) => Token::Name(name.into()),
+        _ => syntax(format!("`\\{name}` is not read here"))
+            .with_hint("of LaTeX, Greek letters, `\\frac{…}{…}`, `\\cdot` and spaces are read")
+            .into(),
     })
 }
 
-fn unexpected(c: char) -> Diagnostic {
-    let error = Diagnostic::new("syntax", format!("unexpected `{}`", c.escape_debug()));
-    match c {
+fn unexpected<'t>(c: char) -> Token<'t> {
+    let error = syntax(format!("unexpected `{}`", c.escape_debug()));
+    let error = match c {
         '·' | '×' | '⋅' | '∗' => error.with_hint("write `*` for a product"),
         '÷' | '⁄' | '∕' => error.with_hint("write `/` for a quotient"),
         '–' | '—' => error.with_hint("that is a dash; write `-`"),
@@ -213,22 +187,9 @@ fn unexpected(c: char) -> Diagnostic {
         '{' | '}' => error.with_hint("group with `(` and `)`, lists with `[` and `]`"),
         '$' | '&' => error.with_hint("paste the mask alone"),
         _ => error,
-    }
+    };
+    error.into()
 }
-
-fn brace(c: char) -> Option<Token> {
-    match c {
-        '{' => Some(Token::OpenBrace),
-        '}' => Some(Token::CloseBrace),
-        _ => None,
-    }
-}
-
-/// What LaTeX has between the parts of a formula that means nothing.
-const LATEX_BLANKS: [&str; 13] = [
-    "\\,", "\\;", "\\:", "\\!", "\\ ", "\\\\", "\\left", "\\right", "\\quad", "\\qquad", "~", "$",
-    "&",
-];
 
 /// The English name of a Greek letter, so that `α`, `\alpha` and `alpha` are one parameter.
 fn english(c: char) -> Option<&'static str> {

@@ -4,7 +4,7 @@
 //! | module | noun |
 //! |---|---|
 //! | `diagnostic` | [`Diagnostic`], what is wrong with an input, where, and what to write instead |
-//! | `expression` | [`Expression`], numbers and names as people type them; `lexer`, `parser`, `evaluation` |
+//! | `expression` | [`Expression`], numbers and names as people type them; `lexer`, `reading`, `parser`, `evaluation` |
 //! | `mask` | [`Mask`], the coefficients; `inline` reads them from lists and symbols |
 //! | `rule` | [`Rule`], [`Stencil`], what a program applies |
 //! | `normalised` | [`Normalised`], a mask whose stencils sum to 1 |
@@ -46,6 +46,7 @@ mod narration;
 mod normalised;
 mod parser;
 mod quotient;
+mod reading;
 mod rule;
 mod scheme;
 mod substitution;

@@ -1,11 +1,11 @@
-//! The grammar of expressions, by recursive descent.
+//! The grammar of expressions.
 //!
 //! ```text
 //! sum      = term { ("+" | "-") term }
 //! term     = factor { ("*" | "/" | "") factor }
 //! factor   = ("+" | "-") factor | power
 //! power    = primary [ "^" exponent ]
-//! exponent = sign integer | "(" sign integer ")"
+//! exponent = sign integer | "(" sign integer ")" | "{" sign integer "}"
 //! primary  = number | name | "(" sum ")" | "sqrt" "(" sum ")" | "\frac" "{" sum "}" "{" sum "}"
 //! ```
 //!
@@ -17,398 +17,293 @@
 use std::ops::Range;
 
 use refinable_algebra::{Integer, parse_rational};
+use winnow::combinator::{alt, delimited, empty, fail, opt, peek, preceded, repeat, terminated};
+use winnow::prelude::*;
+use winnow::token::{any, one_of};
 
 use crate::diagnostic::Diagnostic;
 use crate::expression::{Node, NodeKind, SQUARE_ROOT};
-use crate::lexer::{Lexed, Lexer, Token};
+use crate::lexer::{Lexed, Token, syntax};
+use crate::reading::{
+    Input, LONGEST_QUOTE, Reading, Refusal, here, need, one, refuse, say, too_much, unexpected,
+    wrong,
+};
 
 /// The deepest nesting of parentheses and signs.
 const DEEPEST: usize = 200;
 /// The largest exponent in magnitude.
-pub(crate) const LARGEST_EXPONENT: i32 = 10_000;
+const LARGEST_EXPONENT: i32 = 10_000;
 /// The largest sum of the squares of the lengths of all numbers: reading a decimal is quadratic.
 const MOST_DIGIT_WORK: usize = 400_000_000;
-/// The longest reading that a hint spells out.
-const LONGEST_READING: usize = 60;
 
-/// A parser with one token of lookahead.
-pub(crate) struct Parser<'a> {
-    pub text: &'a str,
-    lexer: Lexer<'a>,
-    pub current: Lexed,
-    depth: usize,
-    digit_work: usize,
-    /// Whether an entry of a list is being read, outside all parentheses.
-    pub at_entry_level: bool,
+/// A sum, the root of an expression.
+pub(crate) fn sum(input: &mut Input<'_>) -> Reading<Node> {
+    let first = term(false).parse_next(input)?;
+    sum_after(first, input)
 }
 
-/// Where the next factor of a term begins: what a hint about a missing `*` needs to know.
-struct LastFactor {
-    term_start: usize,
-    start: usize,
-    below_bar: bool,
+/// The rest of a sum whose first term has been read.
+pub(crate) fn sum_after(first: Node, input: &mut Input<'_>) -> Reading<Node> {
+    let plus = preceded(operator('+'), term(false));
+    let minus = preceded(operator('-'), term(false)).with_span().map(negated);
+    let mut terms = vec![first];
+    terms.extend(repeat::<_, _, Vec<_>, _, _>(0.., alt((plus, minus))).parse_next(input)?);
+    Ok(joined(terms, NodeKind::Sum))
 }
 
-impl<'a> Parser<'a> {
-    pub fn new(text: &'a str) -> Result<Self, Diagnostic> {
-        let mut lexer = Lexer::new(text)?;
-        let current = lexer.next()?;
-        Ok(Parser { text, lexer, current, depth: 0, digit_work: 0, at_entry_level: false })
-    }
-
-    /// One expression and nothing after it.
-    pub fn whole_expression(mut self) -> Result<Node, Diagnostic> {
-        let root = self.sum()?;
-        self.expect_end()?;
-        Ok(root)
-    }
-
-    pub fn expect_end(&self) -> Result<(), Diagnostic> {
-        match self.current.token {
-            Token::End => Ok(()),
-            _ => Err(self.unexpected()),
-        }
-    }
-
-    /// Takes the current token and reads the next one.
-    pub fn bump(&mut self) -> Result<Lexed, Diagnostic> {
-        let next = self.lexer.next()?;
-        Ok(std::mem::replace(&mut self.current, next))
-    }
-
-    /// Takes the current token if it is `wanted`.
-    pub fn take(&mut self, wanted: &Token) -> Result<bool, Diagnostic> {
-        let found = &self.current.token == wanted;
-        if found {
-            self.bump()?;
-        }
-        Ok(found)
-    }
-
-    /// Whether the text is LaTeX.
-    fn is_latex(&self) -> bool {
-        self.lexer.is_latex()
-    }
-
-    pub fn error(&self, message: impl Into<String>) -> Diagnostic {
-        Diagnostic::new("syntax", message).at(self.text, self.current.span.clone())
-    }
-
-    pub fn unexpected(&self) -> Diagnostic {
-        match self.current.token {
-            Token::End => self.error("the text ends too early"),
-            _ => self.error(format!("unexpected `{}`", self.shown(&self.current.span))),
-        }
-    }
-
-    /// The bytes of a span, unless they are too many to quote.
-    fn shown(&self, span: &Range<usize>) -> &str {
-        let written = &self.text[span.clone()];
-        if written.len() <= LONGEST_READING { written } else { "…" }
-    }
-
-    fn sum(&mut self) -> Result<Node, Diagnostic> {
-        let first = self.term(false)?;
-        self.sum_after(first)
-    }
-
-    /// The rest of a sum whose first term has been read.
-    pub fn sum_after(&mut self, first: Node) -> Result<Node, Diagnostic> {
-        let mut terms = vec![first];
-        while matches!(self.current.token, Token::Plus | Token::Minus) {
-            let operator = self.bump()?;
-            self.reject_sign_glued_to_entry(&operator)?;
-            let term = self.term(false)?;
-            terms.push(match operator.token {
-                Token::Minus => {
-                    node(operator.span.start..term.span.end, NodeKind::Negate(Box::new(term)))
-                }
-                _ => term,
-            });
-        }
-        Ok(joined(terms, NodeKind::Sum))
-    }
-
-    /// In `[1 -2 1]` the sign may belong to a new entry: refused, not guessed.
-    fn reject_sign_glued_to_entry(&self, operator: &Lexed) -> Result<(), Diagnostic> {
-        let glued = operator.after_blank && !self.current.after_blank;
-        if !(self.at_entry_level && glued) || self.is_latex() {
+/// In `[1 -2 1]` the sign may belong to a new entry: refused, not guessed.
+fn operator<'t>(sign: char) -> impl Parser<Input<'t>, (), Refusal> {
+    move |input: &mut Input<'t>| {
+        let operator = one_of(|lexed: &'t Lexed<'t>| *lexed == sign).parse_next(input)?;
+        let glued = operator.after_blank && !input[0].after_blank;
+        if !(input.state.at_entry_level && glued) || input.state.is_latex {
             return Ok(());
         }
-        let sign = &self.text[operator.span.clone()];
+        let text = input.state.text;
+        let sign = &text[operator.span.clone()];
         let message = format!("` {sign}` may start a new entry or continue this one");
-        Err(Diagnostic::new("syntax", message)
-            .with_hint(format!("separate entries by commas, or put a blank after `{sign}`"))
-            .at(self.text, operator.span.clone()))
+        let hint = format!("separate entries by commas, or put a blank after `{sign}`");
+        wrong(syntax(message).with_hint(hint).at(text, operator.span.clone()))
     }
+}
 
-    /// A term; with `before_list` a final `*` in front of `[` is taken and ends it.
-    pub fn term(&mut self, before_list: bool) -> Result<Node, Diagnostic> {
-        let first = self.factor()?;
-        let mut last =
-            LastFactor { term_start: first.span.start, start: first.span.start, below_bar: false };
-        let mut factors = vec![first];
-        loop {
-            if self.is_tacit_product(&factors[factors.len() - 1], last.below_bar) {
-                let factor = self.power()?;
-                last.start = factor.span.start;
-                factors.push(factor);
-                continue;
-            }
-            if before_list && self.is_latex() && self.current.token == Token::OpenList {
-                return Ok(joined(factors, NodeKind::Product));
-            }
-            if !matches!(self.current.token, Token::Star | Token::Slash) {
+/// A term; with `before_list` it ends where the list that it is a factor of begins.
+pub(crate) fn term<'t>(before_list: bool) -> impl Parser<Input<'t>, Node, Refusal> {
+    move |input: &mut Input<'t>| {
+        let mut factors = vec![factor(input)?];
+        while !(before_list && peek(list_head).parse_next(input).is_ok()) {
+            let last = &factors[factors.len() - 1];
+            let Some(factor) = opt(further_factor(last)).parse_next(input)? else {
+                refuse(one(is_beside), |i| missing_operator(i, &factors)).parse_next(input)?;
                 break;
-            }
-            let operator = self.bump()?;
-            if operator.token == Token::Star && self.current.token == Token::Star {
-                return Err(self.error("unexpected `**`").with_hint("powers are written `^`"));
-            }
-            last.below_bar = operator.token == Token::Slash;
-            if before_list && !last.below_bar && self.current.token == Token::OpenList {
-                return Ok(joined(factors, NodeKind::Product));
-            }
-            let factor = self.factor()?;
-            last.start = factor.span.start;
-            factors.push(if last.below_bar {
-                node(factor.span.clone(), NodeKind::Reciprocal(Box::new(factor)))
-            } else {
-                factor
-            });
+            };
+            factors.push(factor);
         }
-        match self.current.token {
-            Token::Number | Token::Name(_) | Token::Open | Token::OpenBrace | Token::Fraction => {
-                Err(self.missing_operator(&last))
-            }
-            Token::OpenList => Err(self
-                .error("an operator is missing here")
-                .with_hint("write the factor as in `1/16*[...]`")),
-            _ => Ok(joined(factors, NodeKind::Product)),
-        }
+        Ok(joined(factors, NodeKind::Product))
     }
+}
 
-    /// Whether what stands beside the last factor, without an operator, is one more.
-    fn is_tacit_product(&self, last: &Node, below_bar: bool) -> bool {
-        let begins = matches!(
-            self.current.token,
-            Token::Number | Token::Name(_) | Token::Open | Token::OpenBrace | Token::Fraction
-        );
-        if below_bar || !begins {
-            return false;
-        }
-        if self.is_latex() {
+/// What begins a list behind its factor; LaTeX has no `*` there.
+fn list_head(input: &mut Input<'_>) -> Reading<()> {
+    let is_latex = input.state.is_latex;
+    (alt(('*'.void(), empty.verify(move |()| is_latex))), '[').void().parse_next(input)
+}
+
+/// One more factor of a term, behind the factor `last`.
+fn further_factor<'t>(last: &Node) -> impl Parser<Input<'t>, Node, Refusal> + use<'t> {
+    let times = ('*', refuse('*', say("unexpected `**`", "powers are written `^`")));
+    alt((
+        preceded(tacit_product(last), power),
+        preceded(times, factor),
+        preceded('/', factor).map(reciprocal),
+    ))
+}
+
+/// Whether a token behind a factor begins another, or a list.
+fn is_beside(token: &Token<'_>) -> bool {
+    matches!(token, Token::Number | Token::Name(_) | Token::Fraction | Token::Mark('(' | '{' | '['))
+}
+
+/// Finds nothing but that what stands beside the last factor, without an operator, is one more.
+fn tacit_product<'t>(last: &Node) -> impl Parser<Input<'t>, (), Refusal> + use<'t> {
+    let (below_bar, is_number, end) = (is_below_bar(last), is_signed_number(last), last.span.end);
+    move |input: &mut Input<'t>| {
+        let next = peek(one(is_beside)).parse_next(input)?;
+        let is_product = match &next.token {
+            _ if below_bar => false,
             // Two numbers side by side are a slip of the pen.
-            return self.current.token != Token::Number;
-        }
-        let is_number = is_signed_number(last) && last.span.end == self.current.span.start;
-        match &self.current.token {
-            Token::Name(name) => is_number && !is_power_of_ten(name),
-            _ => false,
-        }
-    }
-
-    /// Two factors side by side: says how each reading would be written.
-    fn missing_operator(&mut self, last: &LastFactor) -> Diagnostic {
-        let place = self.current.span.clone();
-        let error = self.error("an operator is missing here");
-        let is_entry = self.at_entry_level && self.current.after_blank;
-        let text = self.text;
-        let quoted = |span: Range<usize>| text[span].trim();
-        let left = quoted(last.term_start..place.start);
-        let right = match self.power() {
-            Ok(power) => quoted(power.span),
-            Err(_) => quoted(place.clone()),
-        };
-        let mut readings = Vec::new();
-        if is_entry {
-            readings.push(format!("`{left}, {right}`"));
-        }
-        readings.push(format!("`{left}*{right}`"));
-        if last.below_bar {
-            let above = quoted(last.term_start..last.start);
-            let below = quoted(last.start..place.start);
-            readings.push(format!("`{above}({below}*{right})`"));
-        }
-        if left.len() + right.len() > LONGEST_READING {
-            error.with_hint("write `*` for a product")
-        } else {
-            error.with_hint(format!("write {}", readings.join(" or ")))
-        }
-    }
-
-    fn factor(&mut self) -> Result<Node, Diagnostic> {
-        if !matches!(self.current.token, Token::Plus | Token::Minus) {
-            return self.power();
-        }
-        self.deeper()?;
-        let sign = self.bump()?;
-        let inner = self.factor()?;
-        self.depth -= 1;
-        let span = sign.span.start..inner.span.end;
-        Ok(match sign.token {
-            Token::Minus => node(span, NodeKind::Negate(Box::new(inner))),
-            _ => node(span, inner.kind),
-        })
-    }
-
-    fn deeper(&mut self) -> Result<(), Diagnostic> {
-        self.depth += 1;
-        if self.depth <= DEEPEST {
-            return Ok(());
-        }
-        let message = format!("nested deeper than {DEEPEST} levels");
-        Err(Diagnostic::new("budget", message).at(self.text, self.current.span.clone()))
-    }
-
-    fn power(&mut self) -> Result<Node, Diagnostic> {
-        let base = self.primary()?;
-        if !self.take(&Token::Caret)? {
-            return Ok(base);
-        }
-        let (exponent, end) = self.exponent()?;
-        if self.current.token == Token::Caret {
-            return Err(self
-                .error("`a^b^c` has two readings")
-                .with_hint("write `(a^b)^c`, or the exponent as one number"));
-        }
-        let span = base.span.start..end;
-        Ok(node(span, NodeKind::Power(Box::new(base), exponent)))
-    }
-
-    /// The exponent and the byte after it.
-    fn exponent(&mut self) -> Result<(i32, usize), Diagnostic> {
-        let closing = match self.current.token {
-            Token::Open => Some(Token::Close),
-            Token::OpenBrace => Some(Token::CloseBrace),
-            _ => None,
-        };
-        if closing.is_some() {
-            self.bump()?;
-        }
-        let negative = match self.current.token {
-            Token::Minus | Token::Plus => self.bump()?.token == Token::Minus,
+            Token::Number | Token::Mark('[') => false,
+            _ if input.state.is_latex => true,
+            Token::Name(name) => is_number && next.span.start == end && !is_power_of_ten(name),
             _ => false,
         };
-        if self.current.token != Token::Number {
-            return Err(self.not_an_exponent());
+        if is_product { Ok(()) } else { fail(input) }
+    }
+}
+
+/// Two factors side by side: says how each reading would be written.
+fn missing_operator(input: &Input<'_>, factors: &[Node]) -> Diagnostic {
+    let (text, next) = (input.state.text, &input[0]);
+    let error = here(input, "an operator is missing here");
+    if *next == '[' {
+        return error.with_hint("write the factor as in `1/16*[...]`");
+    }
+    let quoted = |span: Range<usize>| text[span].trim();
+    let (first, last) = (&factors[0], &factors[factors.len() - 1]);
+    let left = quoted(first.span.start..next.span.start);
+    let power = power(&mut input.clone());
+    let right = quoted(power.map_or(next.span.clone(), |power| power.span));
+    if left.len() + right.len() > LONGEST_QUOTE {
+        return error.with_hint("write `*` for a product");
+    }
+    let mut readings = Vec::new();
+    if input.state.at_entry_level && next.after_blank {
+        readings.push(format!("`{left}, {right}`"));
+    }
+    readings.push(format!("`{left}*{right}`"));
+    if is_below_bar(last) {
+        let above = quoted(first.span.start..last.span.start);
+        let below = quoted(last.span.start..next.span.start);
+        readings.push(format!("`{above}({below}*{right})`"));
+    }
+    error.with_hint(format!("write {}", readings.join(" or ")))
+}
+
+fn factor(input: &mut Input<'_>) -> Reading<Node> {
+    match peek(opt(alt(('+', '-')))).parse_next(input)? {
+        Some('-') => deeper(preceded(any, factor)).with_span().map(negated).parse_next(input),
+        Some(_) => deeper(preceded(any, factor)).with_span().map(widened).parse_next(input),
+        None => power(input),
+    }
+}
+
+/// The parser one level deeper.
+fn deeper<'t>(
+    mut inner: impl Parser<Input<'t>, Node, Refusal>,
+) -> impl Parser<Input<'t>, Node, Refusal> {
+    move |input: &mut Input<'t>| {
+        input.state.depth += 1;
+        if input.state.depth > DEEPEST {
+            let message = format!("nested deeper than {DEEPEST} levels");
+            return too_much(message, input[0].span.clone(), input);
         }
-        let number = self.bump()?;
-        let size = self.integer(&number)?;
-        if size > Integer::from(LARGEST_EXPONENT) {
-            let message = format!("exponents go up to {LARGEST_EXPONENT} in magnitude");
-            return Err(Diagnostic::new("budget", message).at(self.text, number.span));
-        }
-        let mut end = number.span.end;
-        if let Some(closing) = closing {
-            if self.current.token != closing {
-                return Err(self.not_an_exponent());
-            }
-            end = self.bump()?.span.end;
-        }
-        let size = i32::try_from(size).expect("at most the largest exponent");
-        Ok((if negative { -size } else { size }, end))
+        let node = inner.parse_next(input)?;
+        input.state.depth -= 1;
+        Ok(node)
     }
+}
 
-    fn not_an_exponent(&self) -> Diagnostic {
-        self.error("an exponent is an integer, as in `z^-2`")
-            .with_hint("for a square root write `sqrt(...)`")
+fn power(input: &mut Input<'_>) -> Reading<Node> {
+    let two_readings = "write `(a^b)^c`, or the exponent as one number";
+    let exponent = preceded('^', exponent);
+    let tower = refuse('^', say("`a^b^c` has two readings", two_readings));
+    let ((base, exponent), span) =
+        (primary, opt(terminated(exponent, tower))).with_span().parse_next(input)?;
+    Ok(match exponent {
+        Some(exponent) => node(span, NodeKind::Power(Box::new(base), exponent)),
+        None => base,
+    })
+}
+
+fn exponent(input: &mut Input<'_>) -> Reading<i32> {
+    let no_exponent =
+        say("an exponent is an integer, as in `z^-2`", "for a square root write `sqrt(...)`");
+    let closing = opt(alt(('('.value(')'), '{'.value('}')))).parse_next(input)?;
+    let sign = opt(alt(('+', '-'))).parse_next(input)?;
+    let (size, span) = need(integer, &no_exponent).with_span().parse_next(input)?;
+    let Some(size) = i32::try_from(size).ok().filter(|size| *size <= LARGEST_EXPONENT) else {
+        let message = format!("exponents go up to {LARGEST_EXPONENT} in magnitude");
+        return too_much(message, span, input);
+    };
+    if let Some(closing) = closing {
+        need(closing, &no_exponent).parse_next(input)?;
     }
+    Ok(if sign == Some('-') { -size } else { size })
+}
 
-    /// The value of a number token that must be an integer.
-    pub fn integer(&self, number: &Lexed) -> Result<Integer, Diagnostic> {
-        let written = &self.text[number.span.clone()];
-        written.parse().map_err(|_| {
-            Diagnostic::new("syntax", "an integer is needed here")
-                .at(self.text, number.span.clone())
-        })
+/// A number, which must be an integer.
+pub(crate) fn integer(input: &mut Input<'_>) -> Reading<Integer> {
+    let Lexed { span, .. } = one(is_number).parse_next(input)?;
+    let text = input.state.text;
+    let not_whole = |_| wrong(syntax("an integer is needed here").at(text, span.clone()));
+    text[span.clone()].parse().or_else(not_whole)
+}
+
+fn is_number(token: &Token<'_>) -> bool {
+    matches!(token, Token::Number)
+}
+
+fn primary(input: &mut Input<'_>) -> Reading<Node> {
+    alt((number, square_root, name, group('(', ')'), group('{', '}'), fraction, no_primary))
+        .parse_next(input)
+}
+
+fn no_primary(input: &mut Input<'_>) -> Reading<Node> {
+    wrong(match input[0].token {
+        Token::Mark('[') => here(input, "a list cannot be a part of an expression")
+            .with_hint("a single factor may stand in front of it, as in `(1/8 + w)*[...]`"),
+        Token::End => here(input, "expected a number, a name or `(`"),
+        _ => unexpected(input),
+    })
+}
+
+fn number(input: &mut Input<'_>) -> Reading<Node> {
+    let Lexed { span, .. } = one(is_number).parse_next(input)?;
+    input.state.digit_work += span.len().pow(2);
+    if input.state.digit_work > MOST_DIGIT_WORK {
+        let message = "the numbers of this text have too many digits together".into();
+        return too_much(message, span.clone(), input);
     }
+    let value = parse_rational(&input.state.text[span.clone()]);
+    let value = value.expect("the lexer accepts the same decimals");
+    Ok(node(span.clone(), NodeKind::Number(value)))
+}
 
-    fn primary(&mut self) -> Result<Node, Diagnostic> {
-        match &self.current.token {
-            Token::Number => self.number(),
-            Token::Name(name) if name == SQUARE_ROOT => self.square_root(),
-            Token::Name(name) => {
-                let name = name.clone();
-                Ok(node(self.bump()?.span, NodeKind::Name(name)))
-            }
-            Token::Open | Token::OpenBrace => self.parenthesised(),
-            Token::Fraction => self.fraction(),
-            Token::OpenList => Err(self
-                .error("a list cannot be a part of an expression")
-                .with_hint("a single factor may stand in front of it, as in `(1/8 + w)*[...]`")),
-            Token::End => Err(self.error("expected a number, a name or `(`")),
-            _ => Err(self.unexpected()),
-        }
-    }
+fn name(input: &mut Input<'_>) -> Reading<Node> {
+    let (name, span) = any_name.with_span().parse_next(input)?;
+    Ok(node(span, NodeKind::Name(name)))
+}
 
-    fn number(&mut self) -> Result<Node, Diagnostic> {
-        let span = self.bump()?.span;
-        self.digit_work += span.len().pow(2);
-        if self.digit_work > MOST_DIGIT_WORK {
-            let message = "the numbers of this text have too many digits together";
-            return Err(Diagnostic::new("budget", message).at(self.text, span));
-        }
-        let value = parse_rational(&self.text[span.clone()]);
-        let value = value.expect("the lexer accepts the same decimals");
-        Ok(node(span, NodeKind::Number(value)))
-    }
+/// Any name, the ones with a meaning included.
+pub(crate) fn any_name(input: &mut Input<'_>) -> Reading<String> {
+    let name = |lexed: &Lexed<'_>| match &lexed.token {
+        Token::Name(name) => Some(name.to_string()),
+        _ => None,
+    };
+    any.verify_map(name).parse_next(input)
+}
 
-    fn square_root(&mut self) -> Result<Node, Diagnostic> {
-        let start = self.bump()?.span.start;
-        if self.current.token != Token::Open {
-            return Err(self.error("`sqrt` needs parentheses, as in `sqrt(3)`"));
-        }
-        let inner = self.parenthesised()?;
-        let span = start..inner.span.end;
-        Ok(node(span, NodeKind::SquareRoot(Box::new(inner))))
-    }
+fn square_root(input: &mut Input<'_>) -> Reading<Node> {
+    let group = need(group('(', ')'), |i| here(i, "`sqrt` needs parentheses, as in `sqrt(3)`"));
+    let (inner, span) = preceded(SQUARE_ROOT, group).with_span().parse_next(input)?;
+    Ok(node(span, NodeKind::SquareRoot(Box::new(inner))))
+}
 
-    /// `\frac{…}{…}`.
-    fn fraction(&mut self) -> Result<Node, Diagnostic> {
-        let start = self.bump()?.span.start;
-        let mut part = || {
-            if self.current.token != Token::OpenBrace {
-                let error = self.error("`\\frac` is followed by two groups in braces");
-                return Err(error.with_hint("write `\\frac{1}{2}`"));
-            }
-            self.parenthesised()
-        };
-        let (above, below) = (part()?, part()?);
-        let span = start..below.span.end;
-        let below = node(below.span.clone(), NodeKind::Reciprocal(Box::new(below)));
-        Ok(node(span, NodeKind::Product(vec![above, below])))
-    }
+/// `\frac{…}{…}`.
+fn fraction(input: &mut Input<'_>) -> Reading<Node> {
+    let no_group = say("`\\frac` is followed by two groups in braces", "write `\\frac{1}{2}`");
+    let (above, below) = (need(group('{', '}'), &no_group), need(group('{', '}'), &no_group));
+    let parts = preceded(one(|token| *token == Token::Fraction), (above, below.map(reciprocal)));
+    let ((above, below), span) = parts.with_span().parse_next(input)?;
+    Ok(node(span, NodeKind::Product(vec![above, below])))
+}
 
-    fn parenthesised(&mut self) -> Result<Node, Diagnostic> {
-        self.deeper()?;
-        let at_entry_level = std::mem::replace(&mut self.at_entry_level, false);
-        let open = self.bump()?;
-        let inner = self.sum()?;
-        let (opening, closing, wanted) = match open.token {
-            Token::OpenBrace => ('{', '}', Token::CloseBrace),
-            _ => ('(', ')', Token::Close),
-        };
-        let open = open.span;
-        if self.current.token != wanted {
-            let place = self.column(&open);
+/// A sum in parentheses or braces.
+fn group<'t>(opening: char, closing: char) -> impl Parser<Input<'t>, Node, Refusal> {
+    let inner = move |input: &mut Input<'t>| {
+        let outside = std::mem::replace(&mut input.state.at_entry_level, false);
+        let place = input[0].span.start;
+        let not_closed = |input: &Input<'t>| {
+            let place = input.state.text[..place].chars().count() + 1;
             let message = format!("expected `{closing}` for the `{opening}` at character {place}");
-            return Err(self.error(message));
-        }
-        self.at_entry_level = at_entry_level;
-        self.depth -= 1;
-        let end = self.bump()?.span.end;
-        Ok(node(open.start..end, inner.kind))
-    }
-
-    /// The place of a span in characters, from 1.
-    fn column(&self, span: &Range<usize>) -> usize {
-        self.text[..span.start].chars().count() + 1
-    }
+            here(input, message)
+        };
+        let inner = delimited(any, sum, need(closing, not_closed)).parse_next(input)?;
+        input.state.at_entry_level = outside;
+        Ok(inner)
+    };
+    preceded(peek(opening), deeper(inner)).with_span().map(widened)
 }
 
 fn node(span: Range<usize>, kind: NodeKind) -> Node {
     Node { kind, span }
+}
+
+fn negated((inner, span): (Node, Range<usize>)) -> Node {
+    node(span, NodeKind::Negate(Box::new(inner)))
+}
+
+/// The same with a sign or parentheses around.
+fn widened((inner, span): (Node, Range<usize>)) -> Node {
+    node(span, inner.kind)
+}
+
+fn reciprocal(below: Node) -> Node {
+    node(below.span.clone(), NodeKind::Reciprocal(Box::new(below)))
+}
+
+fn is_below_bar(node: &Node) -> bool {
+    matches!(node.kind, NodeKind::Reciprocal(_))
 }
 
 fn is_signed_number(node: &Node) -> bool {

@@ -3,13 +3,16 @@
 use std::fmt;
 
 use refinable_algebra::{Parameter, ParameterFraction};
+use winnow::combinator::{peek, preceded};
+use winnow::prelude::*;
+use winnow::token::any;
 
 use crate::budget::Budget;
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::Evaluator;
-use crate::expression::{SQUARE_ROOT, SYMBOL_VARIABLE};
-use crate::lexer::Token;
-use crate::parser::Parser;
+use crate::expression::{Node, SQUARE_ROOT, SYMBOL_VARIABLE};
+use crate::parser::{any_name, sum};
+use crate::reading::{Input, Reading, need, read, unexpected, wrong};
 
 /// A parameter and the number or expression that takes its place.
 #[derive(Clone, PartialEq, Eq, Hash, Debug)]
@@ -37,20 +40,7 @@ impl Substitution {
     /// `syntax`, `substitution` for the names `z` and `sqrt`, and those of
     /// [`Expression::evaluate`](crate::Expression::evaluate).
     pub fn parse(text: &str) -> Result<Self, Diagnostic> {
-        let mut parser = Parser::new(text)?;
-        let Token::Name(name) = parser.current.token.clone() else {
-            return Err(shape(parser.unexpected()));
-        };
-        if name == SYMBOL_VARIABLE || name == SQUARE_ROOT {
-            let message = format!("`{name}` cannot be a parameter");
-            let span = parser.current.span.clone();
-            return Err(Diagnostic::new("substitution", message).at(text, span));
-        }
-        parser.bump()?;
-        if !parser.take(&Token::Equals)? {
-            return Err(shape(parser.unexpected()));
-        }
-        let root = parser.whole_expression()?;
+        let (name, root) = read(text, substitution)?;
         let value = Evaluator::of_parameters(text, &mut Budget::new()).fraction(&root)?;
         Ok(Substitution::new(Parameter::new(&name), value))
     }
@@ -73,6 +63,16 @@ impl fmt::Display for Substitution {
     }
 }
 
-fn shape(error: Diagnostic) -> Diagnostic {
-    error.with_hint("a substitution is written `name=value`, as in `alpha=1/8`")
+/// `name "=" sum`
+fn substitution(input: &mut Input<'_>) -> Reading<(String, Node)> {
+    let shape = |input: &Input<'_>| {
+        unexpected(input).with_hint("a substitution is written `name=value`, as in `alpha=1/8`")
+    };
+    let name = need(peek(any_name), shape).parse_next(input)?;
+    if name == SYMBOL_VARIABLE || name == SQUARE_ROOT {
+        let error = Diagnostic::new("substitution", format!("`{name}` cannot be a parameter"));
+        return wrong(error.at(input.state.text, input[0].span.clone()));
+    }
+    let value = preceded((any, need('=', shape)), sum).parse_next(input)?;
+    Ok((name, value))
 }

@@ -121,7 +121,7 @@ fn tensions(scheme: &Scheme, parameters: &[Parameter]) -> Tensions {
         (1, Some((_, value))) => Tensions::Value(value),
         (2, Some(_)) => match interproximate_tensions(scheme.name(), mask) {
             Ok(choice) => Tensions::Chosen(choice.into()),
-            Err(error) => Tensions::None(error.to_string()),
+            Err(error) => Tensions::None(error.message().to_string()),
         },
         _ => {
             let text = "no value of one parameter makes the vertex rule keep old points";
