@@ -72,7 +72,9 @@ mod svg;
 mod sweep;
 
 pub use analyze::analyze;
-pub use audit::{Agreement, Audit, AuditedCell, AuditedTable, CertificateStore, Effort, Ranges};
+pub use audit::{
+    Agreement, Audit, AuditedCell, AuditedTable, CertificateStore, Counts, Effort, Ranges,
+};
 pub use basis::Basis;
 pub use compare::compare;
 pub use curve::{Curve, CurveOptions, extrapolation};

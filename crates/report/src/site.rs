@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use refinable_papers::Paper;
 use refinable_scheme::Diagnostic;
 
-use crate::audit::{Audit, AuditedTable, CertificateStore};
+use crate::audit::{Audit, AuditedTable};
 use crate::comparison::comparison;
 use crate::families::FamilyMaps;
 use crate::figures;
@@ -35,8 +35,7 @@ pub fn report_site(
     site.insert("tables.tex".into(), latex_document(audit));
     publish(&mut site, "comparison", &comparison(&paper.tables, audit)?);
     for table in &audit.tables {
-        let document = Document { grids: vec![table.grid()], summary: None, json: table.json() };
-        publish(&mut site, &format!("tables/{}", table.id), &document);
+        publish(&mut site, &format!("tables/{}", table.id), &table.document());
         if let Some(svg) = picture::ranges(table) {
             site.insert(format!("tables/{}.svg", table.id), svg);
         }
@@ -75,7 +74,7 @@ fn index(paper: &Paper, audit: &Audit, families: &[FamilyMaps]) -> String {
     );
     text.push_str("|---|---|---|---|---|---|---|---|\n");
     for table in &audit.tables {
-        text.push_str(&index_row(table, audit.level));
+        text.push_str(&index_row(table));
     }
     text.push_str(
         "\nThe comparison tables rebuilt from masks, with the shape of limits and more schemes of others: \
@@ -87,9 +86,8 @@ fn index(paper: &Paper, audit: &Audit, families: &[FamilyMaps]) -> String {
     text
 }
 
-fn index_row(table: &AuditedTable, level: u32) -> String {
-    let alone = Audit { tables: vec![table.clone()], level, certificates: CertificateStore::new() };
-    let counts: Vec<String> = alone.counts().iter().map(|(_, n)| n.to_string()).collect();
+fn index_row(table: &AuditedTable) -> String {
+    let counts: Vec<String> = table.counts().iter().map(|(_, n)| n.to_string()).collect();
     let id = &table.id;
     let mut kinds = vec!["csv", "tex", "json"];
     kinds.extend(picture::ranges(table).map(|_| "svg"));
