@@ -7,7 +7,7 @@ use refinable_scheme::Diagnostic;
 
 use crate::audit::{Audit, AuditedTable};
 use crate::comparison::comparison;
-use crate::families::FamilyMaps;
+use crate::families::{FamilyMaps, MAPS};
 use crate::figures;
 use crate::grid::Document;
 use crate::picture;
@@ -30,7 +30,8 @@ pub fn report_site(
     for family in families {
         family.publish(&mut site)?;
     }
-    figures::publish(&mut site)?;
+    let figures = figures::all()?;
+    figures::publish(&mut site, &figures);
     site.insert("tables.json".into(), audit.document().json_text());
     site.insert("tables.tex".into(), latex_document(audit));
     publish(&mut site, "comparison", &comparison(&paper.tables, audit)?);
@@ -81,7 +82,9 @@ fn index(paper: &Paper, audit: &Audit, families: &[FamilyMaps]) -> String {
          [comparison.md](comparison.md), [csv](comparison.csv), [tex](comparison.tex), [json](comparison.json).\n",
     );
     text.push_str("\nWhere the families of two parameters are C^n, over both of them:\n\n");
-    families.iter().for_each(|family| text.push_str(&family.index_line()));
+    for name in families.iter().map(FamilyMaps::name) {
+        text.push_str(&format!("* [{name}]({MAPS}/{name}.md)\n"));
+    }
     text.push_str("\nThe figures of the paper, drawn anew: [figures](figures/README.md).\n");
     text
 }
