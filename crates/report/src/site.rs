@@ -10,13 +10,14 @@ use crate::comparison::comparison;
 use crate::families::{FamilyMaps, MAPS};
 use crate::figures;
 use crate::grid::Document;
+use crate::html::{self, Report};
 use crate::picture;
 
 /// The generated files of a report by their path, `/` between folders.
 pub type Site = BTreeMap<String, String>;
 
-/// The report of an audit: an index, each table as md, csv, tex and json, the comparison tables rebuilt, and a page for each
-/// family of two parameters. `NOTES.md` beside them is written by hand and not part of it.
+/// The report of an audit: an index, each table as md, csv, tex, json and html, the comparison tables rebuilt, the figures, and
+/// a page for each family of two parameters. `NOTES.md` beside them is written by hand and not part of it.
 ///
 /// # Errors
 /// Those of the pictures of families; a scheme that cannot be resolved.
@@ -34,17 +35,22 @@ pub fn report_site(
     figures::publish(&mut site, &figures);
     site.insert("tables.json".into(), audit.document().json_text());
     site.insert("tables.tex".into(), latex_document(audit));
-    publish(&mut site, "comparison", &comparison(&paper.tables, audit)?);
+    let comparison = comparison(&paper.tables, audit)?;
+    publish(&mut site, "comparison", &comparison);
     for table in &audit.tables {
-        publish(&mut site, &format!("tables/{}", table.id), &table.document());
+        publish(&mut site, &format!("{TABLES}/{}", table.id), &table.document());
         if let Some(svg) = picture::ranges(table) {
-            site.insert(format!("tables/{}.svg", table.id), svg);
+            site.insert(format!("{TABLES}/{}.svg", table.id), svg);
         }
     }
     for (name, certificate) in &audit.certificates {
         let json = format!("{}\n", certificate.to_json());
         site.insert(format!("{CERTIFICATES}/{name}.json"), json);
     }
+    html::publish(
+        &mut site,
+        &Report { paper, audit, families, figures: &figures, comparison: &comparison },
+    );
     Ok(site)
 }
 
@@ -56,12 +62,16 @@ fn publish(site: &mut Site, path: &str, document: &Document) {
     site.insert(format!("{path}.json"), document.json_text());
 }
 
+/// The folder of a report that holds its tables.
+pub(crate) const TABLES: &str = "tables";
+
 /// The folder of a report that holds its certificates.
 pub const CERTIFICATES: &str = "certificates";
 
 fn index(paper: &Paper, audit: &Audit, families: &[FamilyMaps]) -> String {
     let mut text = format!(
-        "# Audit of “{}”\n\n{}\n\n{}\n\nWhat the misprints are, and their evidence: \
+        "# Audit of “{}”\n\n{}\n\n{}\n\nThe same as pages to read and to print: \
+         [index.html](index.html).\n\nWhat the misprints are, and their evidence: \
          [NOTES.md](NOTES.md).\nAll tables as one document: [tables.tex](tables.tex); as data: \
          [tables.json](tables.json). Every verdict on continuity names its\n\
          certificates below [certificates](certificates/): `refinable verify FILE` checks one, and\n\
