@@ -8,17 +8,29 @@ use refinable_certificate::{CellVerdict, MapCertificate};
 use refinable_papers::{Claim, Table};
 use refinable_scheme::{Diagnostic, Scheme, Substitution};
 
+use crate::grid::Document;
 use crate::map::Maps;
 use crate::site::{CERTIFICATES, Site};
 
 /// The folder of a report that holds the maps.
-const MAPS: &str = "maps";
+pub(crate) const MAPS: &str = "maps";
 
 /// Certificates of maps by name, such as `map-a5-C3`.
 pub type MapStore = BTreeMap<String, MapCertificate>;
 
 /// The names of the families with two parameters in a paper's first tables.
 const FAMILIES: [&str; 3] = ["a3", "a5", "a7"];
+
+/// A picture of the maps of a family.
+pub(crate) struct View {
+    /// The name of its file.
+    pub file: String,
+    /// What is seen.
+    pub title: String,
+    /// The command that draws it.
+    pub command: String,
+    window: Window,
+}
 
 /// A family of two parameters with its maps, all in one box.
 #[derive(Clone, Debug)]
@@ -95,54 +107,95 @@ impl FamilyMaps {
         Ok(FamilyMaps { maps: Maps::of(&scheme, maps), scheme, curves, marks })
     }
 
+    /// The name of the family.
+    pub(crate) fn name(&self) -> &str {
+        self.scheme.name()
+    }
+
+    /// What the page about it is called.
+    pub(crate) fn title(&self) -> String {
+        format!("C^n of {} over both parameters", self.name())
+    }
+
+    /// What is drawn over the maps, a sentence for each curve of the paper, and one for its points.
+    pub(crate) fn drawn(&self) -> Vec<String> {
+        let curves = self.curves.iter().enumerate();
+        let mut lines: Vec<String> =
+            curves.map(|(k, curve)| format!("Curve {}: `{curve}`.", k + 1)).collect();
+        if !self.marks.is_empty() {
+            let marks = self.marks.iter().map(|mark| format!("`{mark}`")).collect::<Vec<_>>();
+            lines.push(format!("Marked: {}.", marks.join(", ")));
+        }
+        lines
+    }
+
+    /// The table of areas, with what refutes and what proves.
+    pub(crate) fn document(&self) -> Document {
+        self.maps.document()
+    }
+
+    /// Both pictures: the box as a whole, and where the highest order on an open set holds.
+    pub(crate) fn views(&self) -> [View; 2] {
+        let (name, last) = (self.name(), self.maps.maps.len() - 1);
+        let title = format!("C^0 to C^{last} of {name}");
+        let near = format!("{title}, where the highest order on an open set holds");
+        [
+            self.view(name.into(), title, self.maps.maps[0].window()),
+            self.view(format!("{name}-near"), near, self.smoothest()),
+        ]
+    }
+
+    fn view(&self, file: String, title: String, window: Window) -> View {
+        let (name, last) = (self.name(), self.maps.maps.len() - 1);
+        let [u, v] = self.maps.maps[0].plane.parameters();
+        let [[a, b], [c, d]] = &window;
+        let mut command =
+            format!("refinable map {name} -n 0..{last} --box '{u}={a}..{b},{v}={c}..{d}'");
+        for (option, texts) in [("curve", &self.curves), ("mark", &self.marks)] {
+            command.extend(texts.iter().map(|text| format!(" --{option} '{text}'")));
+        }
+        command.push_str(&format!(" -o {file}.svg"));
+        View { file, title, command, window }
+    }
+
+    /// The orders of continuity with the names of their certificates.
+    pub(crate) fn certificates(&self) -> impl Iterator<Item = (usize, String)> {
+        let orders = self.maps.maps.iter().map(Map::continuity);
+        orders.map(|n| (n, certificate_name(self.name(), n)))
+    }
+
     /// Adds the page, its pictures and certificates to a site.
     ///
     /// # Errors
     /// Those of the pictures.
-    pub fn publish(&self, site: &mut Site) -> Result<(), Diagnostic> {
-        let name = self.scheme.name();
-        let whole = self.maps.picture(&self.curves, &self.marks)?;
-        site.insert(format!("{MAPS}/{name}.svg"), whole);
-        let near = self.maps.picture_in(self.smoothest(), &self.curves, &self.marks)?;
-        site.insert(format!("{MAPS}/{name}-near.svg"), near);
-        let document = self.maps.document();
+    pub(crate) fn publish(&self, site: &mut Site) -> Result<(), Diagnostic> {
+        let name = self.name();
+        for view in self.views() {
+            let picture = self.maps.picture_in(view.window, &self.curves, &self.marks)?;
+            site.insert(format!("{MAPS}/{}.svg", view.file), picture);
+        }
+        let document = self.document();
         site.insert(format!("{MAPS}/{name}.md"), self.page(&document.markdown()));
         site.insert(format!("{MAPS}/{name}.csv"), document.csv());
-        for map in &self.maps.maps {
-            let file = certificate_name(name, map.continuity());
+        for (map, (_, file)) in self.maps.maps.iter().zip(self.certificates()) {
             let json = format!("{}\n", map.certificate.to_json());
             site.insert(format!("{CERTIFICATES}/{file}.json"), json);
         }
         Ok(())
     }
 
-    /// The line of the index about it.
-    pub fn index_line(&self) -> String {
-        let name = self.scheme.name();
-        format!("* [{name}]({MAPS}/{name}.md)\n")
-    }
-
     fn page(&self, table: &str) -> String {
-        let name = self.scheme.name();
-        let count = self.maps.maps.len();
-        let mut text = format!(
-            "# C^n of {name} over both parameters\n\n![C^0 to C^{} of {name}]({name}.svg)\n\n\
-             Where the highest order on an open set holds:\n\n![the same, nearer]({name}-near.svg)\n\n",
-            count - 1
-        );
-        for (k, curve) in self.curves.iter().enumerate() {
-            text.push_str(&format!("Curve {}: `{curve}`.\n", k + 1));
+        let mut text = format!("# {}\n\n", self.title());
+        for View { file, title, command, .. } in self.views() {
+            text.push_str(&format!("![{title}]({file}.svg)\n\n```sh\n{command}\n```\n\n"));
         }
-        if !self.marks.is_empty() {
-            let marks = self.marks.iter().map(|mark| format!("`{mark}`")).collect::<Vec<_>>();
-            text.push_str(&format!("Marked: {}.\n", marks.join(", ")));
+        for line in self.drawn() {
+            text.push_str(&format!("{line}\n"));
         }
         text.push('\n');
         text.push_str(table);
         text.push_str("\nCertificates, for `refinable verify`:");
-        for map in &self.maps.maps {
-            let n = map.continuity();
-            let file = certificate_name(name, n);
+        for (n, file) in self.certificates() {
             text.push_str(&format!(" [C^{n}](../{CERTIFICATES}/{file}.json)"));
         }
         text.push('\n');
@@ -162,11 +215,22 @@ impl FamilyMaps {
             let values = || corners.iter().map(|corner| &corner[i]);
             let (low, high) = (values().min(), values().max());
             let (Some(low), Some(high)) = (low, high) else { return whole[i].clone() };
-            let space = (high - low) * rational(1, 12);
+            let [low, high] = widened(low, high);
             let [least, most] = &whole[i];
-            [(low - &space).max(least.clone()), (high + &space).min(most.clone())]
+            [low.max(least.clone()), high.min(most.clone())]
         })
     }
+}
+
+/// An interval with some space on both sides, up to multiples of a power of two that can be written down.
+fn widened(low: &Rational, high: &Rational) -> [Rational; 2] {
+    let space = (high - low) * rational(1, 12);
+    let mut unit = rational(1, 1);
+    while unit > space && low < high {
+        unit *= rational(1, 2);
+    }
+    let (low, high) = ((low - &space) / &unit, (high + &space) / &unit);
+    [low.floor() * &unit, high.ceil() * &unit]
 }
 
 /// Whether a map leaves as little undecided as is asked for, or has taken as many nodes.

@@ -5,6 +5,7 @@ use std::fmt::Write;
 use refinable_algebra::{Parameter, Rational, Ring, integer, rational};
 use refinable_analysis::Window;
 
+use crate::latex::greek_letter;
 use crate::svg::{escape, place};
 
 pub(crate) const LEFT: f64 = 84.0;
@@ -109,9 +110,9 @@ impl Frame {
              <text x=\"16\" y=\"{:.0}\">{}</text>",
             LEFT + WIDTH / 2.0,
             bottom + 44.0,
-            escape(&greek(u.name())),
+            escape(letter(u)),
             TOP + HEIGHT / 2.0,
-            escape(&greek(v.name())),
+            escape(letter(v)),
         );
     }
 }
@@ -137,10 +138,7 @@ fn ticks([low, high]: &[Rational; 2]) -> Vec<Rational> {
     ticks
 }
 
-fn greek(name: &str) -> String {
-    match name {
-        "alpha" => "α".into(),
-        "beta" => "β".into(),
-        _ => name.into(),
-    }
+/// The Greek letter of a parameter that is called by its name.
+fn letter(parameter: &Parameter) -> &str {
+    greek_letter(parameter.name()).unwrap_or(parameter.name())
 }

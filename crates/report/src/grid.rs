@@ -122,15 +122,20 @@ impl Grid {
         text
     }
 
-    /// Percentages of the line for the columns, by their longest cells.
-    fn widths(&self) -> Vec<usize> {
+    /// The columns by the characters of their longest cells, neither very narrow nor very wide.
+    pub(crate) fn sizes(&self) -> Vec<usize> {
         let longest = |column: usize| {
             let cells = self.rows.iter().map(|row| row[column].plain.chars().count());
             // Titles break between words.
             let words = self.header[column].split(' ').map(|word| word.chars().count());
             cells.chain(words).max().unwrap_or(0).clamp(10, 48)
         };
-        let sizes: Vec<usize> = (0..self.header.len()).map(longest).collect();
+        (0..self.header.len()).map(longest).collect()
+    }
+
+    /// Percentages of the line for the columns.
+    fn widths(&self) -> Vec<usize> {
+        let sizes = self.sizes();
         let total: usize = sizes.iter().sum();
         sizes.iter().map(|size| 88 * size / total).collect()
     }

@@ -7,16 +7,41 @@ use refinable_reals::{Bound, ExactForm, Radical, RealAlgebraic, Region};
 
 use crate::dialect::Dialect;
 
-/// The names of the Greek letters that LaTeX has commands for.
-const GREEK: [&str; 23] = [
-    "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "iota", "kappa",
-    "lambda", "mu", "nu", "xi", "pi", "rho", "sigma", "tau", "upsilon", "phi", "chi", "psi",
-    "omega",
+/// The Greek letters that LaTeX has commands for, by their names.
+const GREEK: [(&str, &str); 23] = [
+    ("alpha", "α"),
+    ("beta", "β"),
+    ("gamma", "γ"),
+    ("delta", "δ"),
+    ("epsilon", "ε"),
+    ("zeta", "ζ"),
+    ("eta", "η"),
+    ("theta", "θ"),
+    ("iota", "ι"),
+    ("kappa", "κ"),
+    ("lambda", "λ"),
+    ("mu", "μ"),
+    ("nu", "ν"),
+    ("xi", "ξ"),
+    ("pi", "π"),
+    ("rho", "ρ"),
+    ("sigma", "σ"),
+    ("tau", "τ"),
+    ("upsilon", "υ"),
+    ("phi", "φ"),
+    ("chi", "χ"),
+    ("psi", "ψ"),
+    ("omega", "ω"),
 ];
 
 /// Whether the name is a Greek letter's, in small letters.
 pub fn is_greek(name: &str) -> bool {
-    GREEK.contains(&name)
+    greek_letter(name).is_some()
+}
+
+/// The Greek letter of a name.
+pub fn greek_letter(name: &str) -> Option<&'static str> {
+    GREEK.iter().find(|(known, _)| *known == name).map(|(_, letter)| *letter)
 }
 
 /// A parameter's name in math mode: `\alpha`, `w`, `\mathit{tension}`.

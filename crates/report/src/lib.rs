@@ -25,6 +25,7 @@
 //! | `audit` | [`Audit`]: the verdict on every cell of a paper's tables |
 //! | `figures` | the paper's figures, drawn anew |
 //! | `families` | [`FamilyMaps`]: pages about the families of two parameters |
+//! | `html` | the report as pages for people |
 //! | `site` | the files of a report directory |
 //!
 //! Nothing here knows the clock, the terminal or the file system: the same input gives the same
@@ -46,6 +47,7 @@ mod families;
 mod figures;
 mod frame;
 mod grid;
+mod html;
 mod interproximate;
 mod landscape;
 mod latex;
@@ -72,7 +74,9 @@ mod svg;
 mod sweep;
 
 pub use analyze::analyze;
-pub use audit::{Agreement, Audit, AuditedCell, AuditedTable, CertificateStore, Effort, Ranges};
+pub use audit::{
+    Agreement, Audit, AuditedCell, AuditedTable, CertificateStore, Counts, Effort, Ranges,
+};
 pub use basis::Basis;
 pub use compare::compare;
 pub use curve::{Curve, CurveOptions, extrapolation};

@@ -114,7 +114,7 @@ impl<'a> Panel<'a> {
                 top + 4.0
             );
         }
-        let verdict = format!("fill=\"#333333\">{}", mark(cell.agreement));
+        let verdict = format!("fill=\"#333333\">{}", cell.agreement.symbol());
         text(svg, x + PANEL_WIDTH - MARGIN + 4.0, y + 16.0, "middle", &verdict);
     }
 
@@ -170,18 +170,8 @@ fn legend(svg: &mut String, y: f64) {
     text(svg, 80.0, y + 19.0, "start", ">proved");
     text(svg, 286.0, y + 19.0, "start", ">claimed by the paper");
     let marks = Agreement::ALL.into_iter().filter(|a| *a != Agreement::NotChecked);
-    let marks: Vec<String> = marks.map(|a| format!("{} {}", mark(a), a.word())).collect();
+    let marks: Vec<String> = marks.map(|a| format!("{} {}", a.symbol(), a.word())).collect();
     text(svg, 450.0, y + 19.0, "start", &format!(">{}", marks.join(", ")));
-}
-
-fn mark(agreement: Agreement) -> &'static str {
-    match agreement {
-        Agreement::Agrees => "=",
-        Agreement::Stronger => "+",
-        Agreement::NotChecked => "",
-        Agreement::Undecided => "?",
-        Agreement::Disagrees => "×",
-    }
 }
 
 /// Text at a place; `rest` is the remaining attributes, `>`, and the escaped content.

@@ -5,18 +5,19 @@ use std::collections::BTreeMap;
 use refinable_papers::Paper;
 use refinable_scheme::Diagnostic;
 
-use crate::audit::{Audit, AuditedTable, CertificateStore};
+use crate::audit::{Audit, AuditedTable};
 use crate::comparison::comparison;
-use crate::families::FamilyMaps;
+use crate::families::{FamilyMaps, MAPS};
 use crate::figures;
 use crate::grid::Document;
+use crate::html::{self, Report};
 use crate::picture;
 
 /// The generated files of a report by their path, `/` between folders.
 pub type Site = BTreeMap<String, String>;
 
-/// The report of an audit: an index, each table as md, csv, tex and json, the comparison tables rebuilt, and a page for each
-/// family of two parameters. `NOTES.md` beside them is written by hand and not part of it.
+/// The report of an audit: an index, each table as md, csv, tex, json and html, the comparison tables rebuilt, the figures, and
+/// a page for each family of two parameters. `NOTES.md` beside them is written by hand and not part of it.
 ///
 /// # Errors
 /// Those of the pictures of families; a scheme that cannot be resolved.
@@ -30,21 +31,26 @@ pub fn report_site(
     for family in families {
         family.publish(&mut site)?;
     }
-    figures::publish(&mut site)?;
+    let figures = figures::all()?;
+    figures::publish(&mut site, &figures);
     site.insert("tables.json".into(), audit.document().json_text());
     site.insert("tables.tex".into(), latex_document(audit));
-    publish(&mut site, "comparison", &comparison(&paper.tables, audit)?);
+    let comparison = comparison(&paper.tables, audit)?;
+    publish(&mut site, "comparison", &comparison);
     for table in &audit.tables {
-        let document = Document { grids: vec![table.grid()], summary: None, json: table.json() };
-        publish(&mut site, &format!("tables/{}", table.id), &document);
+        publish(&mut site, &format!("{TABLES}/{}", table.id), &table.document());
         if let Some(svg) = picture::ranges(table) {
-            site.insert(format!("tables/{}.svg", table.id), svg);
+            site.insert(format!("{TABLES}/{}.svg", table.id), svg);
         }
     }
     for (name, certificate) in &audit.certificates {
         let json = format!("{}\n", certificate.to_json());
         site.insert(format!("{CERTIFICATES}/{name}.json"), json);
     }
+    html::publish(
+        &mut site,
+        &Report { paper, audit, families, figures: &figures, comparison: &comparison },
+    );
     Ok(site)
 }
 
@@ -56,12 +62,16 @@ fn publish(site: &mut Site, path: &str, document: &Document) {
     site.insert(format!("{path}.json"), document.json_text());
 }
 
+/// The folder of a report that holds its tables.
+pub(crate) const TABLES: &str = "tables";
+
 /// The folder of a report that holds its certificates.
 pub const CERTIFICATES: &str = "certificates";
 
 fn index(paper: &Paper, audit: &Audit, families: &[FamilyMaps]) -> String {
     let mut text = format!(
-        "# Audit of “{}”\n\n{}\n\n{}\n\nWhat the misprints are, and their evidence: \
+        "# Audit of “{}”\n\n{}\n\n{}\n\nThe same as pages to read and to print: \
+         [index.html](index.html).\n\nWhat the misprints are, and their evidence: \
          [NOTES.md](NOTES.md).\nAll tables as one document: [tables.tex](tables.tex); as data: \
          [tables.json](tables.json). Every verdict on continuity names its\n\
          certificates below [certificates](certificates/): `refinable verify FILE` checks one, and\n\
@@ -75,21 +85,22 @@ fn index(paper: &Paper, audit: &Audit, families: &[FamilyMaps]) -> String {
     );
     text.push_str("|---|---|---|---|---|---|---|---|\n");
     for table in &audit.tables {
-        text.push_str(&index_row(table, audit.level));
+        text.push_str(&index_row(table));
     }
     text.push_str(
         "\nThe comparison tables rebuilt from masks, with the shape of limits and more schemes of others: \
          [comparison.md](comparison.md), [csv](comparison.csv), [tex](comparison.tex), [json](comparison.json).\n",
     );
     text.push_str("\nWhere the families of two parameters are C^n, over both of them:\n\n");
-    families.iter().for_each(|family| text.push_str(&family.index_line()));
+    for name in families.iter().map(FamilyMaps::name) {
+        text.push_str(&format!("* [{name}]({MAPS}/{name}.md)\n"));
+    }
     text.push_str("\nThe figures of the paper, drawn anew: [figures](figures/README.md).\n");
     text
 }
 
-fn index_row(table: &AuditedTable, level: u32) -> String {
-    let alone = Audit { tables: vec![table.clone()], level, certificates: CertificateStore::new() };
-    let counts: Vec<String> = alone.counts().iter().map(|(_, n)| n.to_string()).collect();
+fn index_row(table: &AuditedTable) -> String {
+    let counts: Vec<String> = table.counts().iter().map(|(_, n)| n.to_string()).collect();
     let id = &table.id;
     let mut kinds = vec!["csv", "tex", "json"];
     kinds.extend(picture::ranges(table).map(|_| "svg"));

@@ -54,7 +54,37 @@ impl Agreement {
             Agreement::Disagrees => "disagrees",
         }
     }
+
+    /// A sign for pictures and narrow columns, told apart without colour.
+    pub fn symbol(self) -> &'static str {
+        match self {
+            Agreement::Agrees => "=",
+            Agreement::Stronger => "+",
+            Agreement::NotChecked => "–",
+            Agreement::Undecided => "?",
+            Agreement::Disagrees => "×",
+        }
+    }
+
+    /// What it means, in a sentence.
+    pub fn meaning(self) -> &'static str {
+        match self {
+            Agreement::Agrees => "The claim holds, and is exactly what we find.",
+            Agreement::Stronger => "The claim holds, and more is proved.",
+            Agreement::NotChecked => "No computation can decide the claim; the note says why.",
+            Agreement::Undecided => "Neither a proof nor a refutation was found.",
+            Agreement::Disagrees => "A part of the claim is refuted, with a witness.",
+        }
+    }
+
+    /// How many cells got each verdict.
+    fn counted<'a>(cells: impl Iterator<Item = &'a AuditedCell> + Clone) -> Counts {
+        Agreement::ALL.map(|a| (a, cells.clone().filter(|cell| cell.agreement == a).count()))
+    }
 }
+
+/// How many cells got each verdict, from the best to the worst.
+pub type Counts = [(Agreement, usize); 5];
 
 /// What we found about one claim.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -111,8 +141,10 @@ pub struct AuditedCell {
     pub finding: String,
     /// How the two agree: the worst over the claims of the cell.
     pub agreement: Agreement,
-    /// Witnesses and remarks.
-    pub note: String,
+    /// What proves or refutes the claim, or why nothing does.
+    pub evidence: Vec<String>,
+    /// Remarks on the printed text.
+    pub remarks: Vec<String>,
     /// The ranges, if the cell speaks of one.
     pub ranges: Option<Ranges>,
     /// The names of the certificates that prove the finding.
@@ -130,6 +162,13 @@ pub struct AuditedTable {
     pub locator: String,
     /// Its cells, in the paper's order.
     pub cells: Vec<AuditedCell>,
+}
+
+impl AuditedTable {
+    /// How many cells got each verdict.
+    pub fn counts(&self) -> Counts {
+        Agreement::counted(self.cells.iter())
+    }
 }
 
 /// The result of an audit.
@@ -179,9 +218,8 @@ impl Audit {
     }
 
     /// How many cells got each verdict.
-    pub fn counts(&self) -> [(Agreement, usize); 5] {
-        let cells = || self.tables.iter().flat_map(|table| &table.cells);
-        Agreement::ALL.map(|a| (a, cells().filter(|cell| cell.agreement == a).count()))
+    pub fn counts(&self) -> Counts {
+        Agreement::counted(self.tables.iter().flat_map(|table| &table.cells))
     }
 }
 
@@ -217,30 +255,36 @@ fn audit_cell(workbench: &Workbench, cell: &Cell) -> Result<AuditedCell, Diagnos
             Claim::NotChecked { reason } => {
                 Ok(Finding::new("", Agreement::NotChecked).noted(reason.clone()))
             }
-            Claim::Checkable(assertion) => {
-                let mut finding = statement::check(workbench, assertion)?;
-                finding.notes.extend(assertion.note.clone());
-                Ok(finding)
-            }
+            Claim::Checkable(assertion) => statement::check(workbench, assertion),
         })
         .collect();
     let findings = findings?;
-    let mut notes: Vec<String> = Vec::new();
-    for note in findings.iter().flat_map(|f| &f.notes) {
-        if !notes.contains(note) {
-            notes.push(note.clone());
-        }
-    }
+    let remarks = cell.claims.iter().filter_map(|claim| match claim {
+        Claim::Checkable(assertion) => assertion.note.as_ref(),
+        Claim::NotChecked { .. } => None,
+    });
     Ok(AuditedCell {
         row: cell.row.clone(),
         column: cell.column.clone(),
         claim: cell.printed.clone(),
         finding: summarise(&findings),
         agreement: findings.iter().map(|f| f.agreement).max().unwrap_or(Agreement::NotChecked),
-        note: notes.join("; "),
+        evidence: distinct(findings.iter().flat_map(|finding| &finding.notes)),
+        remarks: distinct(remarks),
         certificates: certificates(&findings),
         ranges: findings.into_iter().find_map(|f| f.ranges),
     })
+}
+
+/// Texts in their order, each once.
+fn distinct<'a>(texts: impl Iterator<Item = &'a String>) -> Vec<String> {
+    let mut distinct: Vec<String> = Vec::new();
+    for text in texts {
+        if !distinct.contains(text) {
+            distinct.push(text.clone());
+        }
+    }
+    distinct
 }
 
 /// The certificates of a cell, each once.

@@ -35,6 +35,11 @@ impl Audit {
 }
 
 impl AuditedTable {
+    /// The table alone.
+    pub fn document(&self) -> Document {
+        Document { grids: vec![self.grid()], summary: None, json: self.json() }
+    }
+
     /// The table with a column for each part of the verdict.
     pub fn grid(&self) -> Grid {
         let header = ["row", "column", "claim", "finding", "verdict", "note"];
@@ -59,9 +64,14 @@ impl AuditedTable {
 }
 
 impl AuditedCell {
+    /// Evidence and remarks in one text.
+    fn note(&self) -> String {
+        self.evidence.iter().chain(&self.remarks).cloned().collect::<Vec<_>>().join("; ")
+    }
+
     fn row(&self) -> Vec<Cell> {
         let verdict = self.agreement.word();
-        let texts = [&self.row, &self.column, &self.claim, &self.finding, verdict, &self.note];
+        let texts = [&self.row, &self.column, &self.claim, &self.finding, verdict, &self.note()];
         texts.map(|text: &str| Cell::text(text)).to_vec()
     }
 
@@ -72,7 +82,7 @@ impl AuditedCell {
             "claim": self.claim,
             "finding": self.finding,
             "agreement": self.agreement.word(),
-            "note": self.note,
+            "note": self.note(),
         });
         if !self.certificates.is_empty() {
             cell["certificates"] = json!(self.certificates);

@@ -38,8 +38,8 @@ pub(super) fn figures() -> Result<Vec<Figure>, Diagnostic> {
         second: second.clone(),
         second_vectors: second_vectors.clone(),
     };
-    let note = "Drawn from the recorded derivation of a4, which `refinable show a4 --derive` prints; control points \
-                ours, α = -1/4.";
+    let note = "Drawn from the recorded derivation of a4, which the command prints; control points ours, α = -1/4.";
+    let commands = vec!["refinable show a4 --derive".to_string()];
     let size = [640.0, 380.0];
     Ok(vec![
         Figure {
@@ -49,6 +49,7 @@ pub(super) fn figures() -> Result<Vec<Figure>, Diagnostic> {
                 "(a) The points of the initial scheme, black. (b) The vectors C_{{2i,1}} and C_{{2i+1,1}} as points, \
                  blue. (c) Their differences, dashed, and the sums of these. {note}"
             ),
+            commands: commands.clone(),
             svg: sheet("Construction by displacement vectors", &construction.beginning(), 1, size),
         },
         Figure {
@@ -58,6 +59,7 @@ pub(super) fn figures() -> Result<Vec<Figure>, Diagnostic> {
                 "(a) The vectors α C_{{2i,2}} and C_{{2i+1,2}} at the points that they move. (b) The points moved, green. \
                  (c) The points of the four-point scheme. {note}"
             ),
+            commands,
             svg: sheet(
                 "Construction by displacement vectors, continued",
                 &construction.end(),

@@ -3,7 +3,7 @@
 use refinable_refine::{Ends, Polygon};
 use refinable_scheme::Diagnostic;
 
-use super::{Figure, member, models, tensions};
+use super::{Figure, member, models, settings, tensions};
 use crate::canvas::{BLACK, BLUE, GREEN, Panel, Shape, sheet};
 use crate::curve::{Curve, CurveOptions, places};
 
@@ -93,7 +93,7 @@ fn three_schemes(
     label: &'static str,
     trio: &Trio<'_>,
 ) -> Result<Figure, Diagnostic> {
-    let mut panels = Vec::new();
+    let (mut panels, mut commands) = (Vec::new(), Vec::new());
     for (k, (scheme, members)) in trio.iter().enumerate() {
         let mut shapes = Vec::new();
         let mut caption = vec![format!("({}) {scheme}", ["a", "b", "c"][k])];
@@ -107,6 +107,7 @@ fn three_schemes(
             }
             shapes.push(Shape::line(places(curve.points())?, true, color));
             caption.push(format!("{word}: {}", tensions(scheme, values)));
+            commands.push(command(scheme, values, "letter", &format!("{scheme}-{word}"))?);
         }
         panels.push(Panel { caption, shapes, stretched: false });
     }
@@ -115,7 +116,7 @@ fn three_schemes(
     let caption =
         "One initial polygon (ours), and for each scheme three members that are C^1 at least.";
     let svg = sheet(&title, &panels, 3, [260.0, 280.0]);
-    Ok(Figure { name, label, caption: caption.into(), svg })
+    Ok(Figure { name, label, caption: caption.into(), commands, svg })
 }
 
 /// Schemes in columns, two polygons in rows.
@@ -125,19 +126,35 @@ fn two_models(
     columns: &[(&str, Values, String)],
     caption: String,
 ) -> Result<Figure, Diagnostic> {
-    let mut panels = Vec::new();
-    for (row, model) in [models::letter(), models::star()].iter().enumerate() {
+    let (mut panels, mut commands) = (Vec::new(), Vec::new());
+    let models = [("letter", models::letter()), ("star", models::star())];
+    for (row, (points, model)) in models.iter().enumerate() {
         for (k, (scheme, values, text)) in columns.iter().enumerate() {
+            let letter = ["a", "b", "c", "d"][k];
             let caption = match row {
                 0 => Vec::new(),
-                _ => vec![format!("({}) {text}", ["a", "b", "c", "d"][k])],
+                _ => vec![format!("({letter}) {text}")],
             };
+            commands.push(command(scheme, values, points, &format!("{letter}-{points}"))?);
             panels.push(Panel { caption, shapes: curve(scheme, values, model)?, stretched: false });
         }
     }
     let svg =
         sheet("Limit curves for two initial polygons", &panels, columns.len(), [230.0, 240.0]);
-    Ok(Figure { name, label, caption, svg })
+    Ok(Figure { name, label, caption, commands, svg })
+}
+
+/// The command that draws one of the curves.
+fn command(
+    scheme: &str,
+    values: Values<'_>,
+    points: &str,
+    output: &str,
+) -> Result<String, Diagnostic> {
+    let (settings, levels) = (settings(scheme, values)?, OPTIONS.levels);
+    Ok(format!(
+        "refinable curve {scheme}{settings} {points}.csv --closed -l {levels} -o {output}.svg"
+    ))
 }
 
 fn curve(scheme: &str, values: Values<'_>, model: &Polygon<f64>) -> Result<Vec<Shape>, Diagnostic> {

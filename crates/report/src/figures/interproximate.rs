@@ -1,10 +1,10 @@
 //! The interproximate figures, with the paper's own control points and tensions.
 
 use refinable_algebra::{Rational, parse_rational};
-use refinable_refine::{Ends, Net, Polygon};
+use refinable_refine::{Coordinate, Ends, Net, Polygon};
 use refinable_scheme::{Diagnostic, Scheme};
 
-use super::Figure;
+use super::{Figure, settings};
 use crate::canvas::{BLUE, Panel, RED, Shape, sheet};
 use crate::curve::{Curve, places};
 use crate::interproximate::{Assignment, Member};
@@ -108,13 +108,39 @@ const OF_SECOND: [Setting; 5] = [
     },
 ];
 
+impl Setting {
+    /// The command that draws the panel if some points are interpolated.
+    fn interproximation(&self, scheme: &str, interpolated: &[usize], rest: &str) -> String {
+        let numbers: Vec<String> = interpolated.iter().map(usize::to_string).collect();
+        let pair = |[alpha, beta]: [&str; 2]| format!("alpha={alpha},beta={beta}");
+        format!(
+            "refinable interproximate {scheme} {rest} --interpolate {} --interpolating {} --approximating {} -o {}.svg",
+            numbers.join(","),
+            pair(self.interpolating),
+            pair(self.approximating),
+            self.letter()
+        )
+    }
+
+    /// The same if none is, which is the scheme itself.
+    fn approximation(&self, verb: &str, scheme: &str, rest: &str) -> Result<String, Diagnostic> {
+        let settings = settings(scheme, &self.approximating)?;
+        Ok(format!("refinable {verb} {scheme}{settings} {rest} -o {}.svg", self.letter()))
+    }
+
+    /// The letter of the panel, `(b) …`.
+    fn letter(&self) -> &str {
+        &self.text[1..2]
+    }
+}
+
 pub(super) fn figures() -> Result<Vec<Figure>, Diagnostic> {
     Ok(vec![
         curves(
             "interproximate-a3",
             "interproximate-1-fig",
             "a3",
-            &FIRST,
+            first(),
             &OF_FIRST,
             [340.0, 130.0],
         )?,
@@ -122,7 +148,7 @@ pub(super) fn figures() -> Result<Vec<Figure>, Diagnostic> {
             "interproximate-a5",
             "interproximate-2-fig",
             "a5",
-            &SECOND,
+            second(),
             &OF_SECOND,
             [280.0, 250.0],
         )?,
@@ -144,23 +170,56 @@ fn assignment(
     Assignment::of_vertices(count, interpolated, interpolating, approximating)
 }
 
+/// The control polygon of the figure of `S_{a3}`.
+pub(super) fn first() -> Polygon<f64> {
+    polygon(&FIRST)
+}
+
+/// The control polygon of the figure of `S_{a5}`.
+pub(super) fn second() -> Polygon<f64> {
+    polygon(&SECOND)
+}
+
+fn polygon(points: &[[&str; 2]]) -> Polygon<f64> {
+    let values = points.iter().flat_map(|point| numbers(point));
+    let values = values.map(|x| Coordinate::from_rational(&x)).collect();
+    Polygon::new(2, values, true).expect("a few points")
+}
+
+/// The control net of the figure of surfaces: four closed rows of four points; the fifth printed point closes each of them.
+pub(super) fn net() -> Net<f64> {
+    let rows = [[0.0, 2.0], [5.0, 0.0], [10.0, 2.0], [5.0, 15.0]];
+    let values = [0.0, 2.0, 4.0, 6.0].iter().flat_map(|z| rows.map(|[x, y]| [x, y, *z])).flatten();
+    Net::new(3, 4, values.collect(), [false, true]).expect("a few points")
+}
+
 fn curves(
     name: &'static str,
     label: &'static str,
-    family: &str,
-    points: &[[&str; 2]],
+    scheme: &str,
+    control: Polygon<f64>,
     settings: &[Setting],
     size: [f64; 2],
 ) -> Result<Figure, Diagnostic> {
-    let family = Scheme::resolve(family, 2)?;
-    let values = points.iter().flat_map(|point| numbers(point));
-    let values = values.map(|x| refinable_refine::Coordinate::from_rational(&x)).collect();
-    let control = Polygon::<f64>::new(2, values, true)?;
-    let mut panels = vec![indexed(&control)?];
+    let family = Scheme::resolve(scheme, 2)?;
+    let count = control.count();
+    let (mut panels, mut commands) = (vec![indexed(&control)?], Vec::new());
     for setting in settings {
         let tagged: Vec<usize> =
-            setting.interpolated.iter().copied().filter(|i| *i < points.len()).collect();
-        let assignment = assignment(setting, points.len(), &tagged)?;
+            setting.interpolated.iter().copied().filter(|i| *i < count).collect();
+        commands.push(match tagged[..] {
+            [] => setting.approximation(
+                "curve",
+                scheme,
+                &format!("{name}.csv --closed -l {LEVELS}"),
+            )?,
+            _ => setting.interproximation(
+                scheme,
+                &tagged,
+                &format!("{name}.csv --closed -l {LEVELS}"),
+            ),
+        });
+        let assignment = assignment(setting, count, &tagged)?;
         let refined = assignment.refine(&family, &control, LEVELS, Ends::Trim)?;
         let curve = Curve::of_points("", control.clone(), refined, LEVELS, tagged);
         let shapes = curve.shapes()?;
@@ -170,7 +229,7 @@ fn curves(
     let caption =
         "Control points and tensions are the paper's; points that are interpolated are blue.";
     let svg = sheet(&title, &panels, 3, size);
-    Ok(Figure { name, label, caption: caption.into(), svg })
+    Ok(Figure { name, label, caption: caption.into(), commands, svg })
 }
 
 fn captions(setting: &Setting) -> Vec<String> {
@@ -203,11 +262,8 @@ fn indexed(control: &Polygon<f64>) -> Result<Panel, Diagnostic> {
     Ok(Panel { caption: vec!["(a) control points".into()], shapes, stretched: false })
 }
 
-/// Four closed rows of four points; the fifth printed point closes each of them.
 fn surfaces() -> Result<Figure, Diagnostic> {
-    let rows = [[0.0, 2.0], [5.0, 0.0], [10.0, 2.0], [5.0, 15.0]];
-    let values = [0.0, 2.0, 4.0, 6.0].iter().flat_map(|z| rows.map(|[x, y]| [x, y, *z])).flatten();
-    let control = Net::new(3, 4, values.collect(), [false, true])?;
+    let control = net();
     let family = Scheme::resolve("a3", 2)?;
     let setting = |interpolated, interpolating, approximating, text| Setting {
         interpolated,
@@ -220,10 +276,19 @@ fn surfaces() -> Result<Figure, Diagnostic> {
         setting(&[], ["0", "0"], ["1/8", "0"], "(b) all approximated"),
         setting(&[3], ["0", "-1/40"], ["1/8", "0"], "(c) (5, 15, z) interpolated"),
     ];
-    let mut panels = Vec::new();
+    let (mut panels, mut commands) = (Vec::new(), Vec::new());
     for setting in settings {
         let tagged: Vec<usize> =
             (0..16).filter(|k| setting.interpolated.contains(&(k % 4))).collect();
+        let points = "interproximate-surfaces.csv --ends reflect -l 3";
+        commands.push(match tagged[..] {
+            [] => setting.approximation("surface", "a3", &format!("{points} --closed rows"))?,
+            _ => setting.interproximation(
+                "a3",
+                &tagged,
+                &format!("{points} --surface --closed=rows"),
+            ),
+        });
         let assignment = assignment(&setting, 16, &tagged)?;
         let refined = assignment.refine_net(&family, &control, 3, [Ends::Reflect; 2])?;
         let surface = TensorSurface::of_points("", control.clone(), refined, 3);
@@ -245,6 +310,7 @@ fn surfaces() -> Result<Figure, Diagnostic> {
         name: "interproximate-surfaces",
         label: "interproximate-b-fig",
         caption: caption.into(),
+        commands,
         svg: sheet("Interproximate surfaces of a3", &panels, 3, [290.0, 270.0]),
     })
 }

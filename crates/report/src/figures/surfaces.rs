@@ -3,7 +3,7 @@
 use refinable_refine::{Ends, Net};
 use refinable_scheme::Diagnostic;
 
-use super::{Figure, member, models, tensions};
+use super::{Figure, member, models, settings, tensions};
 use crate::canvas::{Panel, sheet};
 use crate::surface::TensorSurface;
 use crate::surface_picture::View;
@@ -46,20 +46,27 @@ fn figure(
     first: &[Column<'_>; 3],
     second: &[Column<'_>; 3],
 ) -> Result<Figure, Diagnostic> {
-    let mut panels = Vec::new();
+    let (mut panels, mut commands) = (Vec::new(), Vec::new());
+    let (hill, vase) = ("hill.csv", "vase.csv --closed rows");
     let rows = [
-        (first, models::hill(), View::OBLIQUE, true),
-        (first, models::hill(), View::MIRRORED, false),
-        (second, models::vase(), View::OBLIQUE, true),
-        (second, models::vase(), View::ABOVE, false),
+        (first, models::hill(), hill, View::OBLIQUE, true),
+        (first, models::hill(), hill, View::MIRRORED, false),
+        (second, models::vase(), vase, View::OBLIQUE, true),
+        (second, models::vase(), vase, View::ABOVE, false),
     ];
-    for (row, (columns, model, view, with_control)) in rows.into_iter().enumerate() {
+    for (row, (columns, model, points, view, with_control)) in rows.into_iter().enumerate() {
         for (k, (scheme, values)) in columns.iter().enumerate() {
             let letter = char::from(b'a' + (3 * row + k) as u8);
             let values_text = match values {
                 [] => format!("{}-point scheme", &scheme[2..]),
                 _ => tensions(scheme, values),
             };
+            if with_control {
+                let settings = settings(scheme, values)?;
+                commands.push(format!(
+                    "refinable surface {scheme}{settings} {points} --ends reflect -l {LEVELS} -o {letter}.svg"
+                ));
+            }
             let caption = if with_control {
                 format!("({letter}) {values_text}")
             } else {
@@ -72,7 +79,7 @@ fn figure(
     let caption = "Surfaces over two initial nets (ours), refined three times, open ends reflected. (d)-(f): mirror \
                    images of (a)-(c) without the net; (j)-(l): projections of (g)-(i) to the xy-plane.";
     let svg = sheet("Tensor product surfaces", &panels, 3, [270.0, 230.0]);
-    Ok(Figure { name, label, caption: caption.into(), svg })
+    Ok(Figure { name, label, caption: caption.into(), commands, svg })
 }
 
 fn surface(
