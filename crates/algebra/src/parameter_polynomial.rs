@@ -235,17 +235,20 @@ impl GcdDomain for ParameterPolynomial {
         if self.is_zero() && other.is_zero() {
             return ParameterPolynomial::zero();
         }
-        let used = self.parameters();
-        let Some(parameter) = used.union(&other.parameters()).next().cloned() else {
+        // Beside a constant the contents of the other would be taken in vain, which is much work in many parameters.
+        if self.degree() == Some(0) || other.degree() == Some(0) {
             return ParameterPolynomial::one();
-        };
+        }
+        let used = self.parameters();
+        let others = other.parameters();
+        let parameter = used.union(&others).next().expect("one of the two is not constant");
         // Integer coefficients keep the subresultants small.
         let collected = |p: &Self| {
             let primitive = if p.is_zero() { p.clone() } else { p.primitive().2 };
-            primitive.collected(&parameter)
+            primitive.collected(parameter)
         };
         let common = collected(self).gcd(&collected(other));
-        Self::from_collected(&common, &parameter).primitive().2
+        Self::from_collected(&common, parameter).primitive().2
     }
 
     /// The rational number by which to divide so that the result is an integer polynomial, primitive,

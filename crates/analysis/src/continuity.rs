@@ -94,7 +94,8 @@ impl ContinuityRange {
 /// stable; for `n ≥ k` only values come into question at which a higher power divides.
 ///
 /// # Errors
-/// Code `parameters` if the masks of the family lie on no line, or not one parameter is free.
+/// Code `parameters` if the masks of the family lie on no line, or not one parameter is free; `budget`
+/// if they are so long that no proof would be read.
 ///
 /// # Cost
 /// A linear program in floats for every image of every vertex of the polytopes that are tried; the checker's work for
@@ -146,10 +147,12 @@ pub fn highest_continuity(mask: &Normalised) -> Option<usize> {
 }
 
 fn line_of(name: &str, mask: &Normalised) -> Result<Line, Diagnostic> {
-    Line::new(name, mask).ok_or_else(|| {
+    let line = Line::new(name, mask).ok_or_else(|| {
         Diagnostic::new("parameters", "the masks of the family lie on no line")
             .with_hint("norms apply to every family: refinable range SCHEME -n N --level L")
-    })
+    })?;
+    line.expect_readable_proofs()?;
+    Ok(line)
 }
 
 impl ContinuityRange {

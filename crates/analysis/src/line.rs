@@ -5,7 +5,7 @@ use refinable_algebra::{
 };
 use refinable_certificate::{Curve, Family, Number, Quotient};
 use refinable_reals::{RealAlgebraic, Region, simple_roots};
-use refinable_scheme::Normalised;
+use refinable_scheme::{Diagnostic, Normalised};
 use refinable_spectral::Pencil;
 
 use crate::difference::ClearedSymbol;
@@ -241,6 +241,19 @@ impl Line {
         let lowest = supports.iter().map(|s| s.0).min().unwrap_or(0);
         let highest = supports.iter().map(|s| s.1).max().unwrap_or(0);
         (lowest, (highest - lowest) as usize + 1)
+    }
+
+    /// Asked before a search that may be long: whether a certificate about the line is of a size that is read.
+    ///
+    /// # Errors
+    /// Code `budget`, with what is too large.
+    pub(crate) fn expect_readable_proofs(&self) -> Result<(), Diagnostic> {
+        self.family(self.order()).fits().map_err(|what| {
+            Diagnostic::new("budget", format!("a proof would have {what}, and no checker reads it"))
+                .with_hint(
+                    "`refinable norm SCHEME -n N --level L` bounds the differences all the same",
+                )
+        })
     }
 
     /// The family as a certificate has it.

@@ -43,7 +43,8 @@ pub struct Regularity {
 /// The Hölder regularity `r = (k-1) - log_m ρ`.
 ///
 /// # Errors
-/// Code `parameters` if a parameter is free; `regularity` if no bounds were found.
+/// Code `parameters` if a parameter is free; `regularity` if the scheme does not converge or no bounds were found;
+/// `budget` if the mask is so long that no proof would be read.
 ///
 /// # Cost
 /// One polytope, with a linear program in floats for every image of its vertices; a root isolation if the symbol is
@@ -61,6 +62,7 @@ pub fn regularity(
     if line.parameter().is_some() {
         return Err(parameters_free(mask));
     }
+    expect_proof(&line)?;
     let stable = matches!(instability(&line), Instability::At(_));
     let own = regularity_of(&line, stable, options)?;
     if stable || own.continuity.is_none() {
@@ -70,18 +72,24 @@ pub fn regularity(
     let Some((factor, reduced)) = reduction(&line) else { return Ok(own) };
     let factor = factor.cleared().1;
     let reduced = reduced.named(format!("{name} reduced by {}", factor.display("z")));
-    Ok(match regularity_of(&reduced, true, options) {
+    let found = expect_proof(&reduced).and_then(|()| regularity_of(&reduced, true, options));
+    Ok(match found {
         Ok(found) => Regularity { stable, factor: Some(factor), ..found },
         Err(_) => own,
     })
 }
 
-fn regularity_of(line: &Line, stable: bool, options: &Options) -> Result<Regularity, Diagnostic> {
-    let order = line.order();
-    if order == 0 {
+/// Asked before the search: whether the scheme may converge, and a certificate be read.
+fn expect_proof(line: &Line) -> Result<(), Diagnostic> {
+    if line.order() == 0 {
         return Err(Diagnostic::new("regularity", "1 + z does not divide the symbol")
             .with_hint("such a scheme does not converge"));
     }
+    line.expect_readable_proofs()
+}
+
+fn regularity_of(line: &Line, stable: bool, options: &Options) -> Result<Regularity, Diagnostic> {
+    let order = line.order();
     let pencil = line.scaled_pencil(order);
     let probe = |lemma: Lemma| {
         let conclusion =
@@ -91,7 +99,9 @@ fn regularity_of(line: &Line, stable: bool, options: &Options) -> Result<Regular
     let accept = |p: &Polytope| probe(Lemma::Polytope(Box::new(p.clone())));
     let nonnegative = |end: &End| probe(Lemma::Nonnegative { end: end.clone() });
     let found = radius(&pencil, options, &nonnegative, &accept).ok_or_else(|| {
-        Diagnostic::new("regularity", "no bounds for the joint spectral radius were found")
+        let message = "no bounds for the joint spectral radius were found with the work allowed";
+        Diagnostic::new("regularity", message)
+            .with_hint("`refinable certify SCHEME -n N` decides a single C^N, which may be easier")
     })?;
     let (lower, upper) = bounds(line, order, &found.from, &found.to);
     let certificate = stable.then(|| {

@@ -51,6 +51,17 @@ pub(crate) fn check(certificate: &Certificate) -> Fits {
     certificate.lemmas.iter().try_for_each(|lemma| check_lemma(family, lemma))
 }
 
+impl Family {
+    /// Whether a certificate about this family is of a size that is read at all. Where it is not, no proof need be
+    /// sought.
+    ///
+    /// # Errors
+    /// What is too large, as in `matrices of size above 40`.
+    pub fn fits(&self) -> Result<(), &'static str> {
+        check_family(self)
+    }
+}
+
 fn at_most(size: usize, limit: usize, what: &'static str) -> Fits {
     if size <= limit { Ok(()) } else { Err(what) }
 }

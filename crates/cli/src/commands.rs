@@ -291,7 +291,11 @@ fn orders(arguments: &MapArguments) -> Result<&str, Failure> {
     })
 }
 
-fn fineness(arguments: &FinenessArguments) -> Result<Fineness, Failure> {
+/// How fine a map is to be.
+///
+/// # Errors
+/// A part that is no number between 0 and 1.
+pub fn fineness(arguments: &FinenessArguments) -> Result<Fineness, Failure> {
     let part = parse_rational(&arguments.undecided);
     let Some(undecided) = part.filter(|x| *x > rational(0, 1) && *x < rational(1, 1)) else {
         let hint = "give a number between 0 and 1, for example --undecided 1/160";
@@ -308,7 +312,11 @@ fn only_map(maps: &Maps) -> Result<&Map, Failure> {
     Ok(map)
 }
 
-fn sharpness(gap: &str) -> Result<Sharpness, Failure> {
+/// How sharp a range is to be.
+///
+/// # Errors
+/// A gap that is no number between 0 and 1/2.
+pub fn sharpness(gap: &str) -> Result<Sharpness, Failure> {
     let gap = parse_rational(gap).filter(|gap| *gap > rational(0, 1) && *gap < rational(1, 2));
     let Some(gap) = gap else {
         let hint = "give a positive number below 1/2, for example --gap 1/1000000";
@@ -457,12 +465,12 @@ fn report(action: &ReportAction) -> Result<ExitCode, Failure> {
     let site: Site = report_site(&paper, &audited, &families?)?;
     if let ReportAction::Build { .. } = action {
         files::write_site(dir, &site)?;
-        eprintln!("{} files written to {}", site.len(), dir.display());
+        output::say(&format!("{} files written to {}\n", site.len(), dir.display()));
         return Ok(ExitCode::SUCCESS);
     }
     let differences = files::differences(dir, &site)?;
     if differences.is_empty() {
-        eprintln!("{}: {} files, none differs", dir.display(), site.len());
+        output::say(&format!("{}: {} files, none differs\n", dir.display(), site.len()));
         return Ok(ExitCode::SUCCESS);
     }
     output::print_text(&format!("{}\n", differences.join("\n")))?;

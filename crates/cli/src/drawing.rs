@@ -159,7 +159,10 @@ fn made_surface<T: Coordinate>(arguments: &SurfaceArguments) -> Result<TensorSur
 }
 
 /// The schemes from row to row and along the rows.
-fn factors(arguments: &SurfaceArguments) -> Result<[Scheme; 2], Failure> {
+///
+/// # Errors
+/// Whatever is wrong with them; a direction that is given twice, or settings for one that is not.
+pub fn factors(arguments: &SurfaceArguments) -> Result<[Scheme; 2], Failure> {
     let SchemeArguments { scheme: text, set, arity } = &arguments.scheme;
     let (across, along) = match (tensor_factors(text), &arguments.across) {
         (Some(factors), None) => factors.map(|[across, along]| (across, along))?,
@@ -290,9 +293,9 @@ fn assignment(
         (Some(interpolating), Some(approximating)) => (interpolating, approximating),
         (interpolating, approximating) => {
             // The search takes seconds: say so where somebody waits.
-            eprintln!("choosing tensions …");
+            output::say("choosing tensions …\n");
             let choice = interproximate_tensions(family.name(), family.mask())?;
-            eprintln!("{}", choice_text(family, &choice));
+            output::say(&format!("{}\n", choice_text(family, &choice)));
             (
                 interpolating.unwrap_or(choice.interpolating),
                 approximating.unwrap_or(choice.approximating),
@@ -316,7 +319,10 @@ fn first_missing(numbers: &[usize], list: &[usize]) -> Option<usize> {
 }
 
 /// `alpha=0,beta=-1/20`: one value for each parameter of the family.
-fn member(family: &Scheme, text: &str) -> Result<Member, Failure> {
+///
+/// # Errors
+/// A text that does not give just one number for each.
+pub fn member(family: &Scheme, text: &str) -> Result<Member, Failure> {
     let mut values = Vec::new();
     for part in text.split(',') {
         values.push(Substitution::parse(part)?);

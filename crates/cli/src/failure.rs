@@ -1,5 +1,6 @@
 //! Errors as they are printed.
 
+use std::fmt;
 use std::io;
 use std::path::Path;
 
@@ -20,11 +21,12 @@ impl Failure {
     pub fn file(path: &Path, error: &io::Error) -> Self {
         Failure(Diagnostic::new("file", format!("{}: {error}", path.display())))
     }
+}
 
-    /// `error[code]: message`, the place, then `hint:`; in colours where standard error is a terminal that has them,
-    /// unless `NO_COLOR` is set.
-    pub fn print(&self) {
-        anstream::eprintln!("{}", self.0.styled());
+/// `error[code]: message`, the place, then `hint:`, with the colours of a terminal.
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(f, "{}", self.0.styled())
     }
 }
 

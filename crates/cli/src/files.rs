@@ -54,13 +54,19 @@ fn write_all<'a>(
     Ok(())
 }
 
+/// How the names of temporary files begin and end. A process that is killed leaves its own behind; nobody else
+/// removes it, as it may belong to one that is still at work.
+const TEMPORARY: (&str, &str) = (".refinable-", ".tmp");
+
 /// A finished temporary file beside the place for which it is meant.
 fn stage(
     path: &Path,
     write: &dyn Fn(&mut dyn Write) -> io::Result<()>,
 ) -> Result<NamedTempFile, Failure> {
     let parent = path.parent().filter(|dir| !dir.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    let file = NamedTempFile::new_in(parent).map_err(|e| Failure::file(parent, &e))?;
+    let builder = &mut tempfile::Builder::new();
+    let file = builder.prefix(TEMPORARY.0).suffix(TEMPORARY.1).tempfile_in(parent);
+    let file = file.map_err(|error| Failure::file(parent, &error))?;
     let mut out = BufWriter::new(file.as_file());
     let written = write(&mut out).and_then(|()| out.flush());
     drop(out);
@@ -260,4 +266,70 @@ fn read_all<T>(
         }
     }
     Ok(store)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::env;
+    use std::process::{Command, Stdio};
+    use std::thread::sleep;
+    use std::time::Duration;
+
+    use tempfile::TempDir;
+
+    use super::*;
+
+    /// Where the process that is killed writes.
+    const PLACE: &str = "REFINABLE_TEST_PLACE";
+
+    /// Some files in which everything tells their generation.
+    fn site(generation: usize) -> Site {
+        let line = format!("{generation}\n");
+        (0..20)
+            .map(|k| (format!("folder-{}/{k}.txt", k % 3), line.repeat(2_000 + 500 * k)))
+            .collect()
+    }
+
+    /// Not a test: what the next one runs and kills.
+    #[test]
+    #[ignore = "it runs until it is killed"]
+    fn writes_until_it_is_killed() {
+        let Some(place) = env::var_os(PLACE) else { return };
+        for generation in 1.. {
+            write_site(Path::new(&place), &site(generation)).expect("writable");
+        }
+    }
+
+    /// Killed while it does nothing but write: each file is whole, all are of one generation or of two, and
+    /// what else is there has the name of a temporary file.
+    #[test]
+    fn a_site_whose_writer_is_killed() {
+        let dir = TempDir::new().expect("a directory");
+        write_site(dir.path(), &site(0)).expect("writable");
+        for round in 0..12_u64 {
+            let mut writer = Command::new(env::current_exe().expect("this program"))
+                .args(["--ignored", "--exact", "files::tests::writes_until_it_is_killed"])
+                .env(PLACE, dir.path())
+                .stdout(Stdio::null())
+                .spawn()
+                .expect("this program runs");
+            sleep(Duration::from_micros(60_000 + 7_919 * round));
+            writer.kill().and_then(|()| writer.wait()).expect("it is killed");
+            let mut generations = BTreeSet::new();
+            for (name, first) in site(0) {
+                let text = fs::read_to_string(dir.path().join(&name)).expect("it is there");
+                let line = text.lines().next().expect("not empty");
+                assert_eq!(text, format!("{line}\n").repeat(first.lines().count()), "{name}");
+                generations.insert(line.parse::<usize>().expect("a number"));
+            }
+            assert!(generations.len() <= 2, "{generations:?}");
+        }
+        let strangers: Vec<String> = differences(dir.path(), &site(0)).expect("readable");
+        let strangers =
+            strangers.iter().filter_map(|line| line.strip_suffix(": not part of the report"));
+        for stranger in strangers {
+            let name = stranger.rsplit('/').next().unwrap_or_default();
+            assert!(name.starts_with(TEMPORARY.0) && name.ends_with(TEMPORARY.1), "{stranger}");
+        }
+    }
 }

@@ -46,6 +46,12 @@ pub fn print_text(text: &str) -> Result<(), Failure> {
     }
 }
 
+/// Says something on standard error, in colours where it is a terminal that has them and `NO_COLOR` is not set; where it cannot
+/// be written to nothing else can be done.
+pub fn say(text: &str) {
+    let _ = anstream::stderr().write_all(text.as_bytes());
+}
+
 fn text(document: &Document) -> String {
     let mut parts: Vec<String> = document.grids.iter().map(grid).collect();
     parts.extend(document.summary.as_ref().map(|line| format!("{line}\n")));

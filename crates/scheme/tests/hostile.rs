@@ -1,5 +1,7 @@
 //! Texts that mean harm end in a result or an error, soon.
 
+use std::time::{Duration, Instant};
+
 use proptest::prelude::*;
 use refinable_scheme::{Expression, Mask, Scheme, Substitution};
 
@@ -71,6 +73,55 @@ fn long_but_harmless_texts_are_read() {
     assert_eq!(Mask::parse(&list, 2).unwrap().support(), (-2_499, 2_499));
 }
 
+/// Each limit from both sides: what is just admitted, and what is just refused.
+#[test]
+fn at_the_limits_of_expressions() {
+    let number = |digits: usize| "7".repeat(digits);
+    let padded = |bytes: usize| " ".repeat(bytes - 1) + "1";
+    let deep = |levels: usize| "(".repeat(levels) + "1" + &")".repeat(levels);
+    let long = vec![number(10_000); 4].join("+");
+    for (admitted, refused) in [
+        (padded(1 << 20), padded((1 << 20) + 1)),
+        (number(10_000), number(10_001)),
+        // The squares of the lengths sum to 400 million.
+        (long.clone(), long + "+1"),
+        (deep(200), deep(201)),
+        ("a^10000".into(), "a^10001".into()),
+        ("a^10000".into(), "a^10000*a".into()),
+    ] {
+        let result = Expression::parse(&admitted).and_then(|e| e.evaluate());
+        assert!(result.is_ok(), "{admitted:.60}: {}", result.unwrap_err());
+        let error = Expression::parse(&refused).and_then(|e| e.evaluate()).unwrap_err();
+        assert_eq!(error.code(), "budget", "{refused:.60}: {error}");
+    }
+}
+
+#[test]
+fn at_the_limits_of_masks() {
+    let list = |count: usize| format!("[{}]", repeated(count, ",", |_| "1".into()));
+    for (admitted, refused) in [
+        (list(20_000), list(20_001)),
+        ("[1, 1] @ 1000000".into(), "[1, 1] @ 1000001".into()),
+        ("1+z^10000*z^9999".into(), "1+z^10000*z^10000".into()),
+    ] {
+        let result = Mask::parse(&admitted, 2);
+        assert!(result.is_ok(), "{admitted:.60}: {}", result.unwrap_err());
+        assert_eq!(Mask::parse(&refused, 2).unwrap_err().code(), "budget", "{refused:.60}");
+    }
+    assert!(Mask::parse("1+z", 1000).is_ok());
+    assert_eq!(Mask::parse("1+z", 1001).unwrap_err().code(), "arity");
+    let smooth = |times: usize| "smooth(".repeat(times) + "dd4" + &", 1)".repeat(times);
+    for (admitted, refused, code) in [
+        ("bspline400".into(), "bspline401".into(), "budget"),
+        (smooth(16), smooth(17), "budget"),
+        ("smooth(dd4, 60)".into(), "smooth(dd4, 61)".into(), "construction"),
+    ] {
+        let result = Scheme::resolve(&admitted, 2);
+        assert!(result.is_ok(), "{admitted}: {}", result.unwrap_err());
+        assert_eq!(Scheme::resolve(&refused, 2).unwrap_err().code(), code, "{refused}");
+    }
+}
+
 #[test]
 fn substitutions_that_explode_are_refused() {
     let family = Scheme::resolve("a83", 2).unwrap();
@@ -102,6 +153,16 @@ fn what_is_printed_is_read_again_or_refused() {
             Err(error) => assert!(!is_read && error.code() == "budget", "{text}: {error}"),
         }
     }
+}
+
+/// Found by fuzzing: the sums of the stencils were reduced against a constant denominator, for which the contents of
+/// polynomials in many parameters were taken. It took minutes.
+#[test]
+fn many_parameters_over_a_constant() {
+    let start = Instant::now();
+    let error = Scheme::resolve("((a+b+c+d+e+f+g+h+i+j+k+l)^2*z+m)^2", 2).unwrap_err();
+    assert_eq!(error.code(), "not-normalised");
+    assert!(start.elapsed() < Duration::from_secs(30), "{:?}", start.elapsed());
 }
 
 fn tokens() -> impl Strategy<Value = String> {

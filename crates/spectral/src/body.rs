@@ -14,6 +14,7 @@ use nalgebra::{DMatrix, DVector};
 use crate::gauge::{FINEST, Gauge, Limits};
 use crate::leading::{followed, product};
 use crate::word::Word;
+use crate::work::Work;
 
 /// The matrices at both ends of an interval; orbits are those of eigenvectors at `end`.
 #[derive(Clone, Copy, Debug)]
@@ -141,14 +142,26 @@ impl Start {
 
 impl Body {
     /// Adds images under the matrices at both ends until all images are inside, by `margin` at
-    /// least, but for those that close an orbit. `None` if there are too many.
-    pub fn grow(ends: &Ends, shape: Shape, starts: &[Start], effort: Effort) -> Option<Self> {
-        let (body, finished) = Body::grown(ends, shape, starts, effort);
+    /// least, but for those that close an orbit. `None` if there are too many, or if too little work is left.
+    pub fn grow(
+        ends: &Ends,
+        shape: Shape,
+        starts: &[Start],
+        effort: Effort,
+        work: &Work,
+    ) -> Option<Self> {
+        let (body, finished) = Body::grown(ends, shape, starts, effort, work);
         finished.then_some(body)
     }
 
     /// What has grown with this effort, and whether it was enough.
-    pub fn grown(ends: &Ends, shape: Shape, starts: &[Start], effort: Effort) -> (Self, bool) {
+    pub fn grown(
+        ends: &Ends,
+        shape: Shape,
+        starts: &[Start],
+        effort: Effort,
+        work: &Work,
+    ) -> (Self, bool) {
         let Effort { margin, vertices } = effort;
         let dimension = ends.end[0].nrows();
         let mut body = Body {
@@ -162,6 +175,7 @@ impl Body {
             body.begin(ends.end, start);
         }
         let mut gauge = body.gauge();
+        let mut taken = 0;
         let (mut at_end, mut at_inner) = (0, 0);
         loop {
             // All images at the end first; most images at the other end are then inside too.
@@ -180,7 +194,13 @@ impl Body {
                 // Anything that is not far enough inside is added: no need to know where it is.
                 let limits =
                     Limits { inside: 1.0 - margin, outside: 1.0 - margin, accuracy: FINEST };
-                if gauge.represent(&vector, limits).total > limits.inside {
+                let total = gauge.represent(&vector, limits).total;
+                work.spend(gauge.products() - taken);
+                taken = gauge.products();
+                if work.left() == 0 {
+                    return (body, false);
+                }
+                if total > limits.inside {
                     // Where vertices are to meet they must stay as they are.
                     let stays = side == Side::End
                         && shape.closing == Closing::Vertices
@@ -440,4 +460,32 @@ fn scaled(v: &[f64], factor: f64) -> Vec<f64> {
 
 fn norm(v: &[f64]) -> f64 {
     v.iter().map(|x| x * x).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::dmatrix;
+
+    use super::*;
+
+    /// A turn by one radian, a little shorter: a polygon of many corners. The same amount of work always gives the
+    /// same polygon, and with all of it spent there is none.
+    #[test]
+    fn growing_ends_with_the_work() {
+        let (sin, cos) = 1f64.sin_cos();
+        let turn = [dmatrix![cos, -sin; sin, cos] * 0.98];
+        let ends = Ends { inner: &[], end: &turn };
+        let shape = Shape { mirrored: false, complex: false, closing: Closing::Inside(1e-3) };
+        let effort = Effort { margin: 1e-3, vertices: 200 };
+        let grown = |products: u64| {
+            let work = Work::of(products);
+            let body = Body::grow(&ends, shape, &[Start::Free(vec![1.0, 0.0])], effort, &work);
+            (body.map(|body| body.vertices), work.left())
+        };
+        let (polygon, left) = grown(1 << 40);
+        assert!(polygon.as_ref().is_some_and(|corners| corners.len() > 3), "{polygon:?}");
+        let taken = (1 << 40) - left;
+        assert_eq!(grown(taken + 1), (polygon, 1));
+        assert_eq!(grown(taken), (None, 0));
+    }
 }

@@ -11,6 +11,7 @@ use crate::pencil::Pencil;
 use crate::rough::{Product, rough_set, sign_set};
 use crate::search::{Crossing, Outcome, Search, certificate_end, real_algebraic};
 use crate::word::Word;
+use crate::work::Work;
 
 /// What is wanted of a division.
 #[derive(Clone, Debug)]
@@ -66,7 +67,8 @@ pub fn divide(
 ) -> Division {
     let words = Word::necklaces(pencil.letters(), options.longest_word, pencil.is_mirrored());
     let mut expansion = Expansion::new(pencil, &words);
-    let search = Search { pencil, kind: certificate::Pencil::Parameter, words: &words, accept };
+    let (kind, work) = (certificate::Pencil::Parameter, &Work::unbounded());
+    let search = Search { pencil, kind, words: &words, accept, work };
     loop {
         let components = expansion.region().complement().intervals();
         let proofs: Vec<Cover> = components
@@ -121,7 +123,8 @@ pub fn decide(
             return Constant::Expanding(word.clone());
         }
     }
-    let search = Search { pencil, kind: certificate::Pencil::Parameter, words: &words, accept };
+    let (kind, work) = (certificate::Pencil::Parameter, &Work::unbounded());
+    let search = Search { pencil, kind, words: &words, accept, work };
     match search.closed(point, point) {
         Outcome::Proved(polytope, _) => Constant::Contracting(polytope),
         Outcome::Faster(_) | Outcome::Nothing => Constant::Undecided,

@@ -23,6 +23,8 @@ pub(crate) struct Gauge {
     basis: Vec<Column>,
     /// Row-major inverse of the matrix with the basic columns.
     inverse: Vec<f64>,
+    /// How many products of floats all questions have taken, roughly.
+    products: u64,
 }
 
 /// A column of the linear program: a phase times an atom.
@@ -87,7 +89,13 @@ impl Gauge {
         let mut inverse = vec![0.0; size * size];
         inverse.iter_mut().step_by(size + 1).for_each(|x| *x = 1.0 / TINY);
         let atoms = vec![Vec::new(); size];
-        Gauge { size, complex, atoms, basis: (0..size).map(column).collect(), inverse }
+        let basis = (0..size).map(column).collect();
+        Gauge { size, complex, atoms, basis, inverse, products: 0 }
+    }
+
+    /// How many products of floats all questions so far have taken, roughly.
+    pub fn products(&self) -> u64 {
+        self.products
     }
 
     /// Adds an atom.
@@ -102,6 +110,7 @@ impl Gauge {
     pub fn represent(&mut self, y: &[f64], limits: Limits) -> Representation {
         let mut x = self.solve(y);
         for _ in 0..100 * self.size {
+            self.products += (self.size * (4 * self.size + self.atoms[0].len())) as u64;
             self.settle_signs(&x);
             let total: f64 = x.iter().map(|x| x.abs()).sum();
             let (atom, price) = self.dearest(&self.dual());

@@ -22,6 +22,7 @@
 //! | `outline` | [`outline()`](outline()): a box around the set on which matrices contract |
 //! | `partition` | [`partition()`](partition()): polygons of the plane, divided at radius one |
 //! | `front`, `geometry` | where the boundary runs through a polygon, in floats |
+//! | `work` | what a search may cost |
 //! | `float` | from exact numbers to floats and back |
 //!
 //! This is the one room with floats. They find proofs; a proof counts once the independent checker
@@ -50,6 +51,7 @@ mod schur;
 mod search;
 mod seed;
 mod word;
+mod work;
 mod writing;
 
 pub use division::{Constant, Division, Options, decide, divide, expanding};

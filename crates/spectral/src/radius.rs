@@ -11,6 +11,7 @@ use crate::pencil::Pencil;
 use crate::rough::{Product, rough_set, sign_set};
 use crate::search::{Crossing, Outcome, Search, certificate_end};
 use crate::word::Word;
+use crate::work::Work;
 
 /// Bounds `from ≤ 1/ρ ≤ to` for the joint spectral radius `ρ` of a set of matrices.
 #[derive(Clone, Debug)]
@@ -25,12 +26,15 @@ pub struct Radius {
     pub lemmas: Vec<Lemma>,
 }
 
+/// What all polytopes for one radius may take together: some ten seconds. Those that are found take less than a
+/// tenth of it; without a limit matrices of size 24 and more can take many minutes, mostly in vain.
+const WORK: u64 = 10_000_000_000;
 /// How far apart, relatively, the bounds may be, tried in turn where they cannot be made equal.
 const WIDTHS: [f64; 6] = [4e-10, 1e-8, 1e-6, 1e-4, 1e-3, 1e-2];
 
 /// Bounds for `1/ρ`, equal if a polytope closes at the eigenvector of the fastest word. The pencil
 /// must be `x A_ε`; `nonnegative` checks that the end of the interval follows from a non-negative
-/// symbol. `None` if nothing was found.
+/// symbol. `None` if nothing was found with the work that is allowed.
 ///
 /// # Cost
 /// For each polytope that is tried a linear program in floats for every image of every vertex.
@@ -49,7 +53,8 @@ pub fn radius(
     if fastest_growth == 0.0 {
         return None;
     }
-    let search = Search { pencil, kind: certificate::Pencil::Scale, words: &words, accept };
+    let (kind, work) = (certificate::Pencil::Scale, &Work::of(WORK));
+    let search = Search { pencil, kind, words: &words, accept, work };
     let crossings: Vec<Crossing> = words
         .iter()
         .filter(|word| growth(&matrices, word) > fastest_growth * (1.0 - 1e-9))

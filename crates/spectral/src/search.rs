@@ -13,6 +13,7 @@ use crate::recipe::{Company, FATNESS, Recipe};
 use crate::rounding::{Precision, Span, polytope};
 use crate::seed::{Seed, Sowing};
 use crate::word::Word;
+use crate::work::Work;
 
 /// The amounts, in floats, by which images must be inside.
 const MARGINS: [f64; 2] = [1e-5, 1e-7];
@@ -50,6 +51,8 @@ pub(crate) struct Search<'a> {
     pub words: &'a [Word],
     /// The independent checker.
     pub accept: &'a (dyn Fn(&Polytope) -> bool + Sync),
+    /// What growing polytopes may still take.
+    pub work: &'a Work,
 }
 
 /// The outcome of a search where no word is known to grow.
@@ -134,7 +137,7 @@ impl Search<'_> {
     ) -> Option<Polytope> {
         // What the end alone needs tells what to spend on both ends.
         let alone = Ends { inner: &[], end: place.at_end };
-        let body = Body::grow(&alone, seed.shape, &seed.starts, effort)?;
+        let body = Body::grow(&alone, seed.shape, &seed.starts, effort, self.work)?;
         let vertices = (2 * body.vertices.len() + 50).max(240);
         let effort = Effort { vertices, ..effort };
         if self.kind == certificate::Pencil::Scale {
@@ -156,7 +159,7 @@ impl Search<'_> {
         if self.too_far_apart(&ends) {
             return None;
         }
-        let body = Body::grow(&ends, seed.shape, &seed.starts, effort)?;
+        let body = Body::grow(&ends, seed.shape, &seed.starts, effort, self.work)?;
         self.write(&body, None, &inner, place.end.clone(), &ends)
     }
 

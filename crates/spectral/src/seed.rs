@@ -11,6 +11,7 @@ use crate::leading::{eigenvalues, eigenvector, fixed_vector, is_complex, product
 use crate::recipe::{Company, LENGTHS, room};
 use crate::search::Crossing;
 use crate::word::Word;
+use crate::work::Work;
 
 /// Other eigenvectors of the leading word keep it company whose eigenvalues are not below this part of
 /// the largest: they make the polytope stout, which helps images inside.
@@ -205,7 +206,8 @@ impl<'a> Sowing<'a> {
             company.extend(rivals.iter().cloned());
         } else if !rivals.is_empty() {
             let ends = Ends { inner: &[], end: self.matrices };
-            let mut gauge = Body::grown(&ends, shape, &alone, GLANCE).0.gauge();
+            let glance = Body::grown(&ends, shape, &alone, GLANCE, &Work::unbounded()).0;
+            let mut gauge = glance.gauge();
             let limits = Limits { inside: 0.0, outside: f64::INFINITY, accuracy: 0.01 };
             company.extend(rivals.iter().map(|start| {
                 let total = gauge.represent(start.vector(), limits).total;

@@ -94,6 +94,55 @@ fn unknown_missing_and_repeated_fields() {
     }
 }
 
+/// Each limit from both sides: what is just read, and what is just too large.
+#[test]
+fn at_the_limits_of_size() {
+    let word = |letters: usize| {
+        let word = "0".repeat(letters);
+        lemma(json!({"kind": "word", "pencil": "parameter", "word": word, "from": "0", "to": "0"}))
+    };
+    let norm =
+        |level: usize| lemma(json!({"kind": "norm", "level": level, "from": "0", "to": "0"}));
+    let root = |degree: usize| {
+        let root = json!({"root_of": vec!["1"; degree + 1], "between": ["0", "1"]});
+        lemma(json!({"kind": "nonnegative", "end": root}))
+    };
+    let family = |mask: &[i64], order| {
+        certificate(&constant_family(mask, 1, order), &nothing(0), &json!([]))
+    };
+    // Of arity two the matrices are as large as the degree of what is left of the symbol.
+    let matrices = |size: usize| family(&vec![1; size + 2], 1);
+    let coefficients = |count: usize| family(&vec![1; count], 970);
+    let lemmas = |count: usize| {
+        let stable = json!({"kind": "stable", "except": []});
+        certificate(&four_point(), &nothing(1), &json!(vec![stable; count]))
+    };
+    let denominators = |bits: usize| {
+        let parts = [bits / 4, bits / 4, bits / 4, bits - 3 * (bits / 4)];
+        let mut family = constant_family(&[1, 1, 1, 1], 1, 1);
+        family["mask"] = json!(parts.map(|k| [format!("1/{}", Integer::from(1) << k)]));
+        certificate(&family, &nothing(0), &json!([]))
+    };
+    let limits: [(&dyn Fn(usize) -> Value, usize); 7] = [
+        (&word, 32),
+        (&norm, 12),
+        (&root, 1200),
+        (&matrices, 40),
+        (&coefficients, 1000),
+        (&lemmas, 5000),
+        (&denominators, 14_000),
+    ];
+    for (sized, most) in limits {
+        let read = Certificate::read(sized(most).to_string().as_bytes());
+        assert!(read.is_ok(), "{most}: {:?}", read.err());
+        too_large(&sized(most + 1));
+    }
+    let fits = |value: Value| serde_json::from_value::<Certificate>(value).unwrap().family.fits();
+    assert_eq!(fits(matrices(40)), Ok(()));
+    assert_eq!(fits(matrices(41)), Err("matrices of size above 40"));
+    assert_eq!(fits(denominators(14_001)), Err("denominators of more than 4000 digits"));
+}
+
 #[test]
 fn sizes_beyond_the_limits() {
     let word = |word: String| {
