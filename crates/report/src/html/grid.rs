@@ -6,12 +6,15 @@ use super::page::scrolling;
 use super::typeset::typeset;
 use crate::grid::{Cell, Grid};
 
+/// Tables with more columns than these are printed in small letters.
+const MANY: usize = 8;
+
 /// A table with its remarks below.
 pub(super) fn grid(grid: &Grid) -> Markup {
     let caption = format!("{}-caption", grid.id);
     let header = grid.header.iter().zip(grid.sizes());
     let table = html! {
-        table.grid {
+        table.grid.wide[grid.header.len() > MANY] {
             caption #(caption) { (typeset(&grid.caption)) }
             thead {
                 tr {
