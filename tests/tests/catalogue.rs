@@ -67,20 +67,23 @@ fn expectations_are_kept_and_differences_found() {
 #[test]
 fn scheme_files_that_are_wrong() {
     let head = "name = 'x'\nmask = '[1/2, 1, 1/2]'\n";
-    for (text, code, message) in [
-        ("".to_string(), "file", "line 1: missing field `name`"),
-        ("name = 'x'".into(), "file", "line 1: missing field `mask`"),
-        ("name = ".into(), "file", "line 1: "),
-        (format!("{head}colour = 'red'"), "file", "line 3: unknown field `colour`"),
-        (format!("{head}[[expect]]\nsmoothness = 3"), "file", "line 4: unknown field `smoothness`"),
-        (format!("{head}[[expect]]\nsupport = [1]"), "file", "line 4: "),
-        (format!("{head}[[expect]]\ncontinuity = -1"), "file", "line 4: "),
-        ("name = 'x'\nmask = '[1/2, 1'".into(), "syntax", "the list is not closed"),
-        ("name = 'x'\nmask = '[1, 2, 1]'".into(), "not-normalised", "every stencil"),
-        (format!("{head}set = ['w=1']"), "substitution", "the scheme has no parameter `w`"),
+    for (text, code, line, message) in [
+        ("".to_string(), "file", 1, "missing field `name`"),
+        ("name = 'x'".into(), "file", 1, "missing field `mask`"),
+        ("name = ".into(), "file", 1, ""),
+        (format!("{head}colour = 'red'"), "file", 3, "unknown field `colour`"),
+        (format!("{head}[[expect]]\nsmoothness = 3"), "file", 4, "unknown field `smoothness`"),
+        (format!("{head}[[expect]]\nsupport = [1]"), "file", 4, ""),
+        (format!("{head}[[expect]]\ncontinuity = -1"), "file", 4, ""),
+        ("name = 'x'\nmask = '[1/2, 1'".into(), "syntax", 2, "the list is not closed"),
+        ("name = 'x'\nmask = '[1, 2, 1]'".into(), "not-normalised", 0, "every stencil"),
+        (format!("{head}set = ['w=1']"), "substitution", 0, "the scheme has no parameter `w`"),
     ] {
         let error = SchemeFile::parse(&text).unwrap_err();
-        assert_eq!(error.code(), code, "{text}: {error}");
+        // From one; zero for what is wrong with the whole.
+        let place =
+            error.excerpt().map_or(0, |(text, span)| text[..span.start].matches('\n').count() + 1);
+        assert_eq!((error.code(), place), (code, line), "{text}: {error}");
         assert!(error.message().starts_with(message), "{text}: {error}");
     }
     let file =
