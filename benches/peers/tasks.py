@@ -5,7 +5,7 @@ import os
 import shutil
 import subprocess
 import sys
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import agreement
 
@@ -127,25 +127,16 @@ def scan(what, count, tool):
     return Task(title, agree, {"refinable": refinable(*args, read=rows), tool: python("numpy", "scan", what, count)})
 
 
-@dataclass
-class Benchmark:
-    """The executable of `cargo bench -p refinable-refine`, built when it is asked for."""
-
-    path: str = field(default=None)
-
-    def command(self, name, points):
-        if self.path is None:
-            args = ["cargo", "bench", "--package", "refinable-refine", "--no-run", "--message-format=json"]
-            lines = subprocess.run(args, cwd=ROOT, capture_output=True, text=True, check=True).stdout.splitlines()
-            made = [m for m in map(json.loads, lines) if m.get("executable") and "bench" in m["target"]["kind"]]
-            self.path = made[0]["executable"]
-        read = lambda out: (agreement.fastest(out, name) / points, None)
-        return Command([self.path, "--bench", "--exact", name, "--sample-count", "15"], read=read)
+def benchmark(name, points, runs):
+    """One of crates/refine/benches, which states its time."""
+    args = ["cargo", "bench", "--quiet", "--manifest-path", os.path.join(ROOT, "Cargo.toml"), "--package=refinable-refine"]
+    args += ["--", "--exact", f"refine::{name}", f"--sample-count={runs}"]
+    return Command(args, read=lambda out: (agreement.fastest(out, name) / points, None))
 
 
 def refinement(what, rivals):
-    """The least time for a point; a small polygon or net is compared."""
-    points, levels = (1000 << 10, 10) if what == "curve" else (3200 * 3200, 5)
+    """The least time for a point of many runs; a small polygon or net is compared."""
+    points, levels, runs = (1000 << 10, 10, 200) if what == "curve" else (3200 * 3200, 5, 20)
     closed = ["--closed"] if what == "curve" else ["--closed", "both"]
     size, dimension = (12, 2) if what == "curve" else (12 * 14, 3)
     values = [i * i % 1013 / 7 for i in range(size * dimension)]
@@ -155,25 +146,29 @@ def refinement(what, rivals):
     args = [what, "a5", "--set=alpha=1/16", "--set=beta=-1/48", "-", *closed, "--levels=3", "--format=csv"]
     rows = lambda out: (None, [list(map(float, x.split(",")[-dimension:])) for x in out.splitlines()[1:] if x])
     result = Command([BINARY, *args], "".join(lines), rows)
-    commands = {"refinable": Benchmark().command(what, points)}
-    commands |= {tool: python("numpy", "refine", what, rival) for tool, rival in rivals.items()}
+    ours = {"refinable": what, "refinable, a copy": what + "_copy"}
+    if what == "surface":
+        ours["refinable, by rows"] = "surface_rows"
+    commands = {tool: benchmark(name, points, runs) for tool, name in ours.items()}
+    commands |= {tool: python("numpy", "refine", what, rival, runs) for tool, rival in rivals.items()}
     title = "a5, a curve of 1000 points" if what == "curve" else "a5 by a5, a net of 100 x 100"
     return Task(f"{title}, {levels} levels", agreement.points, commands, "ns a point", result)
 
 
 def tasks():
-    """Functions, as some have to build something first."""
-    yield from (lambda m=m: mask(m) for m in (12, 20, 80))
-    yield from (lambda m=m: degrees(m) for m in (4, 12, 43))
-    yield from (lambda c=c: exact_range(*c) for c in ((4, 0, 3), (4, 0, 6), (12, 5, 6)))
-    yield from (lambda k=k: exponent(f"dd{k}") for k in (4, 8, 12, 16))
-    yield lambda: exponent("a12", "231/4194304")  # the order of the zero at -1 rises there
-    yield lambda: scan("norm", 100, "numpy")
-    yield lambda: scan("continuity", 100, "numba, floats")
     curves = {"numpy, slices": "numpy", "numpy, convolve": "convolve", "numba": "numba"}
     surfaces = {"numpy, slices": "numpy", "scipy, ndimage": "ndimage", "numba": "numba"}
-    yield lambda: refinement("curve", curves)
-    yield lambda: refinement("surface", surfaces)
+    return [
+        *map(mask, (12, 20, 80)),
+        *map(degrees, (4, 12, 43)),
+        *(exact_range(*case) for case in ((4, 0, 3), (4, 0, 6), (12, 5, 6))),
+        *(exponent(f"dd{points}") for points in (4, 8, 12, 16)),
+        exponent("a12", "231/4194304"),  # where the order of the zero at -1 rises
+        scan("norm", 100, "numpy"),
+        scan("continuity", 100, "numba, floats"),
+        refinement("curve", curves),
+        refinement("surface", surfaces),
+    ]
 
 
 def missing():

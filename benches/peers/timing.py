@@ -74,11 +74,16 @@ def measure(task, start, repetitions):
     for tool in task.commands:
         if tool not in order:
             yield tool, None, first[tool][2]
-        elif tool == "refinable" or "refinable" not in order:
+        elif tool == "refinable" or "refinable" not in order or results[tool] is None:
             yield tool, times[tool], ""
         else:
             difference = task.agree(results["refinable"], results[tool])
             yield tool, times[tool], f"differ: {difference}" if difference else "agree"
+
+
+def digits(x, count):
+    """So many digits, or all before the point."""
+    return f"{x:.{count}g}" if x < 10**count else f"{x:.0f}"
 
 
 def rows(task, start, repetitions):
@@ -94,9 +99,9 @@ def rows(task, start, repetitions):
             yield row, slow
             continue
         ours = times if tool == "refinable" else ours
-        row += [f"{f(times) * scale:.3g}" for f in (median, min, max)]
+        row += [digits(f(times) * scale, 3) for f in (median, min, max)]
         ratios = [t / o for t, o in zip(times, ours)] if ours and tool != "refinable" else []
-        row += [f"{f(ratios):.2g}" if f(ratios) < 10 else f"{f(ratios):.0f}" for f in (median, min, max)] if ratios else [""] * 3
+        row += [digits(f(ratios), 2) for f in (median, min, max)] if ratios else [""] * 3
         yield row + [verdict], not verdict.startswith("differ")
 
 
@@ -122,8 +127,7 @@ def main():
     heads = line(["task", "unit", "tool", "median", "min", "max", "ratio", "min", "max", ""], "")
     print(heads.rstrip() + "\n" + "-" * 118)
     good, table, previous = True, [], ""
-    for make in tasks():
-        task = make()
+    for task in tasks():
         if options.only not in task.title:
             continue
         task.commands = {tool: c for tool, c in task.commands.items() if base(tool) not in absent}

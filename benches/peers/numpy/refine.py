@@ -1,7 +1,7 @@
 """refine.py: refinement of curves and surfaces in Python, one thread, beside `cargo bench -p refinable-refine`.
 
-    python3 benches/peers/numpy/refine.py curve numpy         or: convolve, numba
-    python3 benches/peers/numpy/refine.py surface numpy       or: ndimage, numba
+    python3 benches/peers/numpy/refine.py curve numpy 25       or: convolve, numba; how many runs
+    python3 benches/peers/numpy/refine.py surface numpy 9      or: ndimage, numba
 
 S_a5 at alpha = 1/16, beta = -1/48. Curves: closed, 2-D, 1000 points, ten levels. Surfaces: closed in both directions,
 3-D, 100 x 100 points, five levels. Prints one JSON object: the least seconds for each point of the last level, and a small
@@ -239,4 +239,4 @@ def main(what, rival, rounds):
 
 
 if __name__ == "__main__":
-    main(sys.argv[1], sys.argv[2], int(sys.argv[3]) if len(sys.argv) > 3 else 15)
+    main(sys.argv[1], sys.argv[2], int(sys.argv[3]))
