@@ -1,228 +1,146 @@
-"""timing.py BINARY REPETITIONS: the table of benches/peers/run, which see. Standard library only."""
+"""timing.py: runs the tasks of benches/peers/run, which see, and prints one table. Standard library only.
 
-import json
+Time is processor time, that of the whole process and all its threads, which other work on the machine disturbs less than
+the clock on the wall. One run of each process is not timed: it warms the caches and gives the results. Then the processes
+of a task take turns. Start-up, the least time a tool takes to do nothing, is taken off; peers in floats state their time
+themselves, without what is imported and compiled. Ratios are to refinable in the same turn."""
+
+import argparse
+import csv
 import os
 import platform
-import shutil
+import resource
 import subprocess
 import sys
-import time
-from fractions import Fraction
 from statistics import median
 
-HERE = os.path.dirname(os.path.abspath(__file__))
-TOLERANCE = Fraction(1, 10**9)
-TIMEOUT = 600  # seconds
+from tasks import START, base, missing, tasks
+
+LIMIT = 60  # seconds of processor time
+SLOW = 3  # seconds from which on a task is repeated SLOW times only
+RESOLUTION = 1e-4  # seconds: what is less after start-up is noise
+COLUMNS = ["task", "unit", "tool", "median", "least", "most", "ratio", "ratio_least", "ratio_most", "result"]
 
 
-def gp(script, call):
-    """A command (arguments, standard input) that runs a call in a GP script."""
-    return ["gp", "-fq", "-s", "256M", os.path.join(HERE, script)], call + "\n"
-
-
-def flint(script, *args):
-    return [sys.executable, os.path.join(HERE, script), *args], ""
-
-
-def tasks(binary):
-    """[(title, kind, {tool: command})], refinable first."""
-    out = []
-    for scheme, n, level in (("a4", 0, 6), ("a12", 5, 6)):
-        args = ["range", scheme, "--continuity", str(n), "--level", str(level), "--format", "json"]
-        commands = {
-            "refinable": ([binary, *args], ""),
-            "PARI/GP": gp("contractivity.gp", f'contractivity("{scheme}", {n}, {level})'),
-            # The textbook algorithm alone: roots of all coefficients, then of all signed sums.
-            "PARI/GP, textbook": gp(
-                "contractivity.gp", f'bisections=0; contractivity("{scheme}", {n}, {level})'
-            ),
-            "python-flint": flint("contractivity.py", scheme, str(n), str(level)),
-        }
-        out.append((" ".join(args[:-2]), "range", commands))
-    commands = {
-        "refinable": ([binary, "degrees", "a43", "--format", "json"], ""),
-        "PARI/GP": gp("degrees.gp", 'degrees("a43")'),
-        "python-flint": flint("degrees.py", "a43"),
-    }
-    out.append(("degrees a43", "degrees", commands))
-    special = "231/4194304"  # of a12: the value at which the order of the zero at -1 rises
-    for scheme in [f"dd{k}" for k in range(4, 17, 2)] + ["a12"]:
-        settings = ["--set", f"alpha={special}"] if scheme == "a12" else []
-        args = ["regularity", scheme, *settings, "--format", "json"]
-        # The exact exponent against a bracket of relative width 1e-3 in floating point.
-        peer = [sys.executable, os.path.join(HERE, "gripenberg.py"), scheme, "--delta", "1e-3", "--alpha", special]
-        commands = {"refinable": ([binary, *args], ""), "numpy, Gripenberg": (peer, "")}
-        out.append((" ".join(args[:-2]), "exponent", commands))
-    commands = {
-        "refinable": ([binary, "--version"], ""),
-        "numpy, Gripenberg": ([sys.executable, "-c", "import numpy"], ""),
-        "PARI/GP": (["gp", "-fq", "-s", "256M"], "print(1)\n"),
-        "python-flint": ([sys.executable, "-c", "import flint"], ""),
-    }
-    out.append(("start-up alone", "none", commands))
-    return out
-
-
-def missing_peers():
-    """{tool: why it cannot run}"""
-    out = {}
-    if not shutil.which("gp"):
-        out["PARI/GP"] = "no `gp` on the PATH (apt install pari-gp)"
-        out["PARI/GP, textbook"] = out["PARI/GP"]
-    if subprocess.run([sys.executable, "-c", "import flint"], capture_output=True).returncode:
-        out["python-flint"] = "no module `flint` (pip install python-flint)"
-    if subprocess.run([sys.executable, "-c", "import numpy"], capture_output=True).returncode:
-        out["numpy, Gripenberg"] = "no module `numpy` (pip install numpy)"
-    return out
-
-
-def versions(binary, missing):
-    commands = {
-        "refinable": ([binary, "--version"], ""),
-        "PARI/GP": (["gp", "-fq"], 'v = version(); print(v[1], ".", v[2], ".", v[3])\n'),
-        "python-flint": ([sys.executable, "-c", "import flint; print(flint.__version__)"], ""),
-        "numpy, Gripenberg": ([sys.executable, "-c", "import numpy; print(numpy.__version__)"], ""),
-    }
-    for tool, (args, text) in commands.items():
-        if tool not in missing:
-            run = subprocess.run(args, input=text, capture_output=True, text=True)
-            yield f"{tool} {(run.stdout.split() or ['?'])[-1]}"
+def processor():
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
 
 
 def run(command):
-    """(seconds, standard output, or None and the complaint)"""
-    args, text = command
-    start = time.perf_counter()
-    try:
-        done = subprocess.run(args, input=text, capture_output=True, text=True, timeout=TIMEOUT)
-    except (OSError, subprocess.TimeoutExpired) as error:
-        return time.perf_counter() - start, None, str(error)
-    seconds = time.perf_counter() - start
-    # gp exits with 0 on errors, and complains on standard error
-    if done.returncode or "***" in done.stderr:
-        return seconds, None, done.stderr.strip() or f"exit status {done.returncode}"
+    """(seconds of processor time, standard output, or None and the complaint)"""
+    start = processor()
+    limit = lambda: resource.setrlimit(resource.RLIMIT_CPU, (LIMIT, LIMIT))
+    done = subprocess.run(command.args, input=command.text, capture_output=True, text=True, preexec_fn=limit)
+    seconds = processor() - start
+    if seconds >= LIMIT * 0.99:
+        return seconds, None, "slow"
+    # gp exits with 0 on errors, and complains on standard error; Maxima complains in what it prints
+    if done.returncode or "***" in done.stderr or "-- an error" in done.stdout:
+        return seconds, None, (done.stderr.strip() or done.stdout.strip() or f"exit status {done.returncode}")[-300:]
     return seconds, done.stdout, ""
 
 
-# ---- comparing results ---------------------------------------------------------------------------------------------
+def start_up(absent, repetitions):
+    """{tool: the least seconds to do nothing}, and lines with versions."""
+    least, versions = {}, []
+    for tool, command in START.items():
+        if tool not in absent:
+            times = [run(command) for _ in range(repetitions + 1)]
+            least[tool] = min(seconds for seconds, _, _ in times[1:])
+            said = times[0][1].replace('"', " ").split()
+            version = next((word for word in said if word[:1].isdigit()), "?")
+            versions.append(f"{tool} {version} ({least[tool] * 1e3:.0f} ms)")
+    return least, versions
 
 
-def same_end(x, y):
-    if x is None or y is None:
-        return x is y
-    gap = max(Fraction(x["lower"]), Fraction(y["lower"])) - min(Fraction(x["upper"]), Fraction(y["upper"]))
-    return gap <= TOLERANCE
+def measure(task, start, repetitions):
+    """[(tool, seconds after start-up for each turn or None, verdict)]"""
+    first = {tool: run(command) for tool, command in task.commands.items()}
+    order = [tool for tool in task.commands if first[tool][1] is not None]
+    times = {tool: [] for tool in order}
+    if any(first[tool][0] > SLOW for tool in order):
+        repetitions = min(repetitions, SLOW)
+    for i in range(repetitions if order else 0):
+        for tool in order[i % len(order) :] + order[: i % len(order)]:
+            seconds, out, why = run(task.commands[tool])
+            if out is None:
+                raise RuntimeError(f"{task.title}, {tool}: {why}")
+            stated, _ = task.commands[tool].read(out)
+            times[tool].append(max(seconds - start[base(tool)], RESOLUTION) if stated is None else stated)
+    results = {tool: task.commands[tool].read(first[tool][1])[1] for tool in order}
+    if task.result:
+        results["refinable"] = task.result.read(run(task.result)[1])[1]
+    for tool in task.commands:
+        if tool not in order:
+            yield tool, None, first[tool][2]
+        elif tool == "refinable" or "refinable" not in order or results[tool] is None:
+            yield tool, times[tool], ""
+        else:
+            difference = task.agree(results["refinable"], results[tool])
+            yield tool, times[tool], f"differ: {difference}" if difference else "agree"
 
 
-def compare_range(ours, peer):
-    """What differs, or None."""
-    a, b = ours["proved"], peer["proved"]
-    if len(a) != len(b):
-        return f"{len(a)} proved intervals, the peer has {len(b)}"
-    for i, (x, y) in enumerate(zip(a, b), 1):
-        for end in ("lo", "hi"):
-            if not same_end(x[end], y[end]):
-                show = [v and v["exact"] for v in (x[end], y[end])]
-                return f"end `{end}` of interval {i}: {show[0]}, the peer has {show[1]}"
-    return None
+def digits(x, count):
+    """So many digits, or all before the point."""
+    return f"{x:.{count}g}" if x < 10**count else f"{x:.0f}"
 
 
-def stratum(s):
-    """Degrees, and the parameters if all of them are numbers (a point)."""
-    values = []
-    for name, number in sorted(s["parameters"].items()):
-        try:
-            values.append((name, Fraction(number["exact"])))
-        except ValueError:  # an expression in the other parameter: a curve
-            values = []
-            break
-    point = tuple(values) if len(values) == 2 else ()
-    tau = s["tau"]["exact"] if isinstance(s["tau"], dict) else s["tau"]
-    return s["generation"], s["reproduction"], Fraction(str(tau)), point
+def rows(task, start, repetitions):
+    """The rows of a task in the table, and whether all is well."""
+    ours, scale = None, 1e3 if task.unit == "ms" else 1e9
+    for tool, times, verdict in measure(task, start, repetitions):
+        row = [task.title, task.unit, tool]
+        if times is None:
+            slow = verdict == "slow"
+            row += [f"> {LIMIT} s", "", "", "", "", "", "" if slow else f"failed: {verdict}"]
+            if slow and ours:
+                row[6] = f"> {LIMIT / median(ours):.0f}"
+            yield row, slow
+            continue
+        ours = times if tool == "refinable" else ours
+        row += [digits(f(times) * scale, 3) for f in (median, min, max)]
+        ratios = [t / o for t, o in zip(times, ours)] if ours and tool != "refinable" else []
+        row += [digits(f(ratios), 2) for f in (median, min, max)] if ratios else [""] * 3
+        yield row + [verdict], not verdict.startswith("differ")
 
 
-def compare_degrees(ours, peer):
-    a, b = ([stratum(s) for s in x["strata"]] for x in (ours, peer))
-    if a[0] != b[0]:
-        return "the generic stratum"
-    only = set(a) ^ set(b)
-    if only:
-        return "strata (generation, reproduction, tau, point) of one side only: " + "; ".join(
-            f"({g}, {r}, {t}, {', '.join(f'{k} = {v}' for k, v in p) or '-'})" for g, r, t, p in sorted(only)
-        )
-    return None
+def line(row, previous):
+    title, unit, tool, mid, low, high, ratio, ratio_low, ratio_high, result = row
+    label = f"{title} [{unit}]" if title != previous else ""
+    spread = lambda a, b: f"{a}..{b}" if a else ""
+    return f"{label:<46} {tool:<18} {mid:>7} {spread(low, high):>15} {ratio:>7} {spread(ratio_low, ratio_high):>14}  {result}"
 
 
-def compare_exponent(ours, peer):
-    """Whether the certified bounds are inside the bracket, up to its rounding errors."""
-    lower, upper = (Fraction(ours["holder"][end]) for end in ("lower", "upper"))
-    below, above = (Fraction(x) for x in peer["hoelder"])
-    if not peer["reached"]:
-        return "the peer's bracket is too wide"
-    if lower < below - Fraction(1, 10**6) or upper > above + Fraction(1, 10**6):
-        return f"{float(lower)}..{float(upper)}, the peer has {float(below)}..{float(above)}"
-    return None
-
-
-def compare(kind, ours, peer):
-    if kind == "none":
-        return None
-    try:
-        comparisons = {"range": compare_range, "degrees": compare_degrees, "exponent": compare_exponent}
-        return comparisons[kind](json.loads(ours), json.loads(peer))
-    except (ValueError, KeyError, TypeError, IndexError) as error:
-        return f"unreadable output: {error!r}"
-
-
-# ---- the table -------------------------------------------------------------------------------------------------------
-
-
-def milliseconds(x):
-    x *= 1000
-    return f"{x:.1f}" if x < 100 else f"{x:.0f}"
-
-
-def main(binary, repetitions):
-    missing = missing_peers()
-    for tool, why in missing.items():
+def main():
+    parser = argparse.ArgumentParser(prog="benches/peers/run", description=__doc__)
+    parser.add_argument("--only", default="", help="the tasks whose titles contain this")
+    parser.add_argument("--csv", help="a file for the table")
+    options = parser.parse_args()
+    repetitions, absent = int(os.environ.get("REPETITIONS", 11)), missing()
+    for tool, why in absent.items():
         print(f"{tool}: skipped, {why}")
-    print(f"{platform.system()} {platform.machine()}, {os.cpu_count()} cores; " + ", ".join(versions(binary, missing)))
-    print(f"whole processes, milliseconds, {repetitions} interleaved repetitions after one untimed run;")
-    print("ratio of medians, to refinable\n")
-
-    head = f"{'task':<38} {'tool':<17} {'median':>8} {'min..max':>16} {'ratio':>8}  result"
-    print(head + "\n" + "-" * len(head))
-    good, notes = True, []
-    for title, kind, commands in tasks(binary):
-        commands = {tool: c for tool, c in commands.items() if tool not in missing}
-        results = {tool: run(c) for tool, c in commands.items()}  # untimed: warms the caches, gives the results
-        times = {tool: [] for tool in commands}
-        order = [tool for tool in commands if results[tool][1] is not None]
-        for i in range(repetitions):
-            for tool in order[i % len(order) :] + order[: i % len(order)] if order else []:
-                times[tool].append(run(commands[tool])[0])
-        for tool in commands:
-            label = title if tool == "refinable" else ""
-            if tool not in order:
-                good = False
-                notes.append(f"{title}, {tool}: {results[tool][2]}")
-                print(f"{label:<38} {tool:<17} {'failed':>8}")
-                continue
-            mid, spread = median(times[tool]), f"{milliseconds(min(times[tool]))}..{milliseconds(max(times[tool]))}"
-            ratio = verdict = ""
-            if "refinable" in order:
-                ratio = f"{mid / median(times['refinable']):.2f}"
-                if tool != "refinable" and kind != "none":
-                    difference = compare(kind, results["refinable"][1], results[tool][1])
-                    verdict = "differ" if difference else "agree"
-                    if difference:
-                        good = False
-                        notes.append(f"{title}, {tool}: {difference}")
-            print(f"{label:<38} {tool:<17} {milliseconds(mid):>8} {spread:>16} {ratio:>8}  {verdict}")
-    if notes:
-        print("\n" + "\n".join(notes))
+    start, versions = start_up(absent, repetitions)
+    machine = f"{platform.system()} {platform.machine()}, {os.cpu_count()} cores, load {os.getloadavg()[0]:.1f}"
+    notes = [machine, "with start-up taken off: " + ", ".join(versions), f"{repetitions} turns"]
+    print("\n".join(notes) + "\n")
+    heads = line(["task", "unit", "tool", "median", "min", "max", "ratio", "min", "max", ""], "")
+    print(heads.rstrip() + "\n" + "-" * 118)
+    good, table, previous = True, [], ""
+    for task in tasks():
+        if options.only not in task.title:
+            continue
+        task.commands = {tool: c for tool, c in task.commands.items() if base(tool) not in absent}
+        for row, well in rows(task, start, repetitions):
+            print(line(row, previous).rstrip(), flush=True)
+            good, previous = good and well, row[0]
+            table.append(row)
+    if options.csv:
+        with open(options.csv, "w", newline="", encoding="utf-8") as file:
+            file.writelines(f"# {note}\n" for note in notes)
+            csv.writer(file, lineterminator="\n").writerows([COLUMNS, *table])
     return 0 if good else 1
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1], int(sys.argv[2])))
+    sys.exit(main())

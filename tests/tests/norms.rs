@@ -7,7 +7,7 @@ use proptest::prelude::*;
 use refinable_algebra::{
     Parameter, ParameterFraction, ParameterPolynomial, Rational, Ring, rational,
 };
-use refinable_analysis::{Budget, Comparison, Norm, norm_values};
+use refinable_analysis::{Budget, Comparison, Norm, PointwiseNorm, norm_values};
 use refinable_scheme::{Expression, Mask, Scheme, Substitution};
 use refinable_tests::{difference_symbol, iterated_norm};
 
@@ -41,6 +41,10 @@ fn norm(text: &str, arity: usize, continuity: usize, level: u32) -> Norm {
     Norm::of_difference(scheme.mask(), continuity, level, Budget::default()).unwrap()
 }
 
+fn pointwise(scheme: &Scheme, continuity: usize, level: u32) -> PointwiseNorm {
+    PointwiseNorm::new(scheme.mask(), continuity, level, Budget::default()).unwrap()
+}
+
 fn printed(rows: &[&[&str]]) -> Norm {
     let polynomial = |text: &&str| {
         let value = Expression::parse(text).unwrap().evaluate().unwrap();
@@ -71,7 +75,9 @@ proptest! {
         let symbol = difference_symbol(&at(&scheme, &point), arity, order).unwrap();
         let expected = iterated_norm(&symbol, arity, level as usize);
         let found = norm(text, arity, order, level).value_at(&point);
-        prop_assert_eq!(found, Some(expected), "{} {} {}", text, order, level);
+        prop_assert_eq!(found.as_ref(), Some(&expected), "{} {} {}", text, order, level);
+        let found = pointwise(&scheme, order, level).value_at(&point);
+        prop_assert_eq!(found, Some(expected), "{} {} {}, pointwise", text, order, level);
     }
 
     /// The same norms where nothing is symbolic.
@@ -121,10 +127,14 @@ fn a_norm_has_no_value_at_a_pole() {
     let mask = Mask::parse("[1/w, 1/2, 1-2/w, 1/2, 1/w]", 2).unwrap();
     let scheme = Scheme::resolve(&mask.to_string(), 2).unwrap();
     let norm = Norm::of_difference(scheme.mask(), 0, 1, Budget::default()).unwrap();
-    let at = |w: i64| norm.value_at(&BTreeMap::from([(Parameter::new("w"), rational(w, 1))]));
-    assert_eq!(at(0), None);
+    let pointwise = pointwise(&scheme, 0, 1);
+    let at = |w: i64| {
+        let point = BTreeMap::from([(Parameter::new("w"), rational(w, 1))]);
+        [norm.value_at(&point), pointwise.value_at(&point)]
+    };
+    assert_eq!(at(0), [None, None]);
     // α = 1/8, the cubic B-spline: c_0 = (1+z)³/8, of norm 1/2.
-    assert_eq!(at(8), Some(rational(1, 2)));
+    assert_eq!(at(8), [Some(rational(1, 2)), Some(rational(1, 2))]);
 }
 
 #[test]

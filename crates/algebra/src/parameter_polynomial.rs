@@ -116,6 +116,28 @@ impl ParameterPolynomial {
         self.collected(parameter).evaluate(&ParameterPolynomial::constant(value.clone()))
     }
 
+    /// The value at a point; `None` unless the point gives every parameter a number.
+    ///
+    /// With the point over a common denominator, `n / d`, the value times `d^degree` is a sum of integers, if the
+    /// coefficients are: a fraction is reduced once, not at every operation.
+    ///
+    /// # Cost
+    /// A power and a product of integers for each factor of a term.
+    pub fn value_at(&self, point: &BTreeMap<Parameter, Rational>) -> Option<Rational> {
+        let (scale, coefficients) = clear_denominators(self.terms.values());
+        let (d, cleared) = clear_denominators(point.values());
+        let numerators: BTreeMap<&Parameter, Integer> = point.keys().zip(cleared).collect();
+        let degree = self.degree().unwrap_or(0);
+        let mut sum = integer(0);
+        for (monomial, mut product) in self.terms.keys().zip(coefficients) {
+            for (parameter, exponent) in monomial.factors() {
+                product *= numerators.get(parameter)?.pow(*exponent);
+            }
+            sum += product * d.pow(degree - monomial.degree());
+        }
+        Some(Rational::new(sum, scale * d.pow(degree)))
+    }
+
     /// The positive rational `c` and the primitive integer polynomial `p` with `self = ± c · p`
     /// and the leading coefficient of `p` positive; the sign is returned as `true` for minus.
     ///

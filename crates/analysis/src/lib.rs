@@ -5,7 +5,7 @@
 //! | `degrees` | [`Degrees`]: generation and reproduction, stratified over the parameters |
 //! | `difference` | [`DifferenceSymbol`] `c_n` and its integer form |
 //! | `power` | the symbols `c^L` of repeated refinement |
-//! | `norm` | [`Norm`] `‖c_n^L‖` as a formula in the parameters |
+//! | `norm` | [`Norm`] `‖c_n^L‖` as a formula in the parameters, [`PointwiseNorm`] at points |
 //! | `piecewise` | [`RowCondition`]: sums of absolute values below a bound, solved exactly |
 //! | `sublevel` | where all rows of a norm are below a bound, by branch and bound |
 //! | `contractivity` | [`NormRange`]: the exact parameter set that norms prove |
@@ -55,7 +55,7 @@ pub use interproximation::{TensionChoice, interpolating_value, interproximate_te
 pub use landscape::{Landscape, Locus, Summit, landscape, smooth_window, smoothest_in};
 pub use line::Line;
 pub use map::{Area, Fineness, Map, MapVerdict, certified_map, default_window, map};
-pub use norm::{Comparison, Norm, NormRow};
+pub use norm::{Comparison, Norm, NormRow, PointwiseNorm};
 pub use piecewise::RowCondition;
 pub use plane::Plane;
 pub use refinable_spectral::{Options, Window};

@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 use std::fmt;
 
 use refinable_algebra::{
-    Laurent, Ordered, Parameter, ParameterPolynomial, Rational, Ring, integer, rational,
+    Integer, Laurent, Ordered, Parameter, ParameterPolynomial, Rational, Ring, clear_denominators,
+    integer, rational,
 };
 use refinable_scheme::{Diagnostic, Normalised};
 
@@ -67,10 +68,7 @@ impl Norm {
         level: u32,
         budget: Budget,
     ) -> Result<Self, Diagnostic> {
-        let symbol = DifferenceSymbol::new(mask, continuity);
-        if !symbol.exists_identically() {
-            return Err(not_divisible(&symbol));
-        }
+        let symbol = identical_difference(mask, continuity)?;
         let degree =
             symbol.numerator.coefficients().iter().filter_map(ParameterPolynomial::degree).max();
         let (degree, parameters) = (degree.unwrap_or(0), mask.parameters().len() as u32);
@@ -98,11 +96,10 @@ impl Norm {
         &self.denominator
     }
 
-    /// The value at a point that gives every parameter a number; `None` at a pole.
+    /// The value at a point that gives every parameter a number; `None` at a pole. For many points see [`PointwiseNorm`].
     pub fn value_at(&self, point: &BTreeMap<Parameter, Rational>) -> Option<Rational> {
         let value = |p: &ParameterPolynomial| {
-            let substituted = point.iter().fold(p.clone(), |p, (name, x)| p.with(name, x));
-            substituted.as_constant().expect("every parameter has a value").absolute()
+            p.value_at(point).expect("every parameter has a value").absolute()
         };
         let denominator = value(&self.denominator);
         let sums = self.rows.iter().map(|row| {
@@ -219,12 +216,63 @@ impl fmt::Display for Norm {
     }
 }
 
-fn not_divisible(symbol: &DifferenceSymbol) -> Diagnostic {
-    let order = symbol.continuity + 1;
+/// `‖c_n^L‖` of a family at points: numbers first and powers after, without the formula.
+#[derive(Clone, Debug)]
+pub struct PointwiseNorm {
+    symbol: DifferenceSymbol,
+    level: u32,
+}
+
+impl PointwiseNorm {
+    /// The norm of the `level`-th power.
+    ///
+    /// # Errors
+    /// As for [`Norm::of_difference`].
+    pub fn new(
+        mask: &Normalised,
+        continuity: usize,
+        level: u32,
+        budget: Budget,
+    ) -> Result<Self, Diagnostic> {
+        let symbol = identical_difference(mask, continuity)?;
+        budget.admit(symbol.arity, symbol.numerator.coefficients().len(), level, |_| 1)?;
+        Ok(PointwiseNorm { symbol, level })
+    }
+
+    /// The value at a point; `None` at a pole, or if the point does not give every parameter a number.
+    ///
+    /// # Cost
+    /// The size of `c_n^L` times the length of `c_n`, in integers over one denominator.
+    pub fn value_at(&self, point: &BTreeMap<Parameter, Rational>) -> Option<Rational> {
+        let DifferenceSymbol { arity, numerator, denominator, .. } = &self.symbol;
+        let value = |p: &ParameterPolynomial| p.value_at(point);
+        let coefficients: Vec<Rational> =
+            numerator.coefficients().iter().map(value).collect::<Option<_>>()?;
+        let (scale, cleared) = clear_denominators(coefficients.iter());
+        let c = Laurent::new(0, cleared);
+        let power = (1..self.level).fold(c.clone(), |power, _| next_power(&c, &power, *arity));
+        let rows = residue_rows(power.coefficients(), arity.pow(self.level));
+        let sum = |row: &Vec<Integer>| row.iter().map(Ordered::absolute).sum::<Integer>();
+        let largest = Rational::from(rows.iter().map(sum).max().unwrap_or_default());
+        let below = Rational::from(scale) * value(denominator)?.absolute();
+        (!below.is_zero()).then(|| largest / below.power(self.level))
+    }
+}
+
+/// The difference symbol, if it exists for all parameter values.
+fn identical_difference(
+    mask: &Normalised,
+    continuity: usize,
+) -> Result<DifferenceSymbol, Diagnostic> {
+    let symbol = DifferenceSymbol::new(mask, continuity);
+    if symbol.exists_identically() {
+        return Ok(symbol);
+    }
+    let order = continuity + 1;
     let message = format!("difference scheme {order} does not exist for all parameter values");
-    Diagnostic::new("divisibility", message).with_hint(
+    Err(Diagnostic::new("divisibility", message).with_hint(
         "`refinable degrees` lists the parameter values at which it does; fix them with --set",
-    )
+    ))
 }
 
 #[cfg(test)]

@@ -450,6 +450,7 @@ fn report(action: &ReportAction) -> Result<ExitCode, Failure> {
     let (ReportAction::Build { dir, audit } | ReportAction::Check { dir, audit }) = action;
     let paper = Paper::builtin()?;
     files::expect_directory(dir, matches!(action, ReportAction::Build { .. }))?;
+    let measured = files::measurements(dir)?;
     // Certificates that hold need not be searched for again; those that do not are.
     let (mut known, mut maps) = (CertificateStore::new(), MapStore::new());
     if !audit.fresh {
@@ -462,7 +463,7 @@ fn report(action: &ReportAction) -> Result<ExitCode, Failure> {
     let bar = progress_bar(FamilyMaps::count()?, "maps");
     let families = FamilyMaps::all(&paper.tables, &maps, &|| bar.inc(1));
     bar.finish_and_clear();
-    let site: Site = report_site(&paper, &audited, &families?)?;
+    let site: Site = report_site(&paper, &audited, &families?, measured.as_ref())?;
     if let ReportAction::Build { .. } = action {
         files::write_site(dir, &site)?;
         output::say(&format!("{} files written to {}\n", site.len(), dir.display()));

@@ -6,7 +6,7 @@ use std::io::{self, BufWriter, Read, Write};
 use std::path::{Path, PathBuf};
 
 use refinable_certificate::{Certificate, MapCertificate};
-use refinable_report::{CertificateStore, MapStore, Site, png};
+use refinable_report::{CertificateStore, MapStore, Measurements, Site, png};
 use tempfile::NamedTempFile;
 
 use crate::failure::Failure;
@@ -230,6 +230,24 @@ pub fn read_limited(path: &Path) -> Result<Vec<u8>, Failure> {
 
 /// One byte more is enough for the checker to see that a file is too large.
 const LARGEST_CERTIFICATE: u64 = 64 << 20;
+
+/// What a report directory says about speed; nothing if it has no folder for it.
+///
+/// # Errors
+/// A file that is missing there or no measurement.
+pub fn measurements(dir: &Path) -> Result<Option<Measurements>, Failure> {
+    let folder = dir.join(Measurements::FOLDER);
+    if !folder.is_dir() {
+        return Ok(None);
+    }
+    let mut texts = Vec::new();
+    for name in Measurements::FILES {
+        let path = folder.join(name);
+        texts.push(fs::read_to_string(&path).map_err(|error| Failure::file(&path, &error))?);
+    }
+    let texts = texts.try_into().expect("a text for each file");
+    Ok(Some(Measurements::new(texts)?))
+}
 
 /// The readable certificates of a directory, by name; none if there is no such directory. What does
 /// not hold is found out when it is used.

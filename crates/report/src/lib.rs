@@ -26,6 +26,7 @@
 //! | `figures` | the paper's figures, drawn anew |
 //! | `families` | [`FamilyMaps`]: pages about the families of two parameters |
 //! | `html` | the report as pages for people |
+//! | `performance`, `growth_picture` | [`Measurements`]: how time grows, and that of others, from committed files |
 //! | `site` | the files of a report directory |
 //!
 //! Nothing here knows the clock, the terminal or the file system: the same input gives the same
@@ -47,6 +48,7 @@ mod families;
 mod figures;
 mod frame;
 mod grid;
+mod growth_picture;
 mod html;
 mod interproximate;
 mod landscape;
@@ -56,6 +58,7 @@ mod map_picture;
 mod mesh;
 mod norm;
 mod number;
+mod performance;
 mod picture;
 mod points;
 mod range;
@@ -93,6 +96,7 @@ pub use landscape::HolderMap;
 pub use map::Maps;
 pub use mesh::{Mesh, MeshFormat};
 pub use norm::norm_table;
+pub use performance::Measurements;
 pub use points::{net_csv, net_json, polygon_csv, polygon_json};
 pub use range::range_table;
 pub use raster::png;

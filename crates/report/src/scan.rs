@@ -7,8 +7,8 @@ use refinable_algebra::{
     Parameter, ParameterFraction, ParameterPolynomial, Rational, parse_rational, rational,
 };
 use refinable_analysis::{
-    Budget, Fineness, Map, MapVerdict, Norm, Options, Plane, PointVerdict, Sharpness, Window,
-    continuity_at, degrees, map, regularity,
+    Budget, Fineness, Map, MapVerdict, Options, Plane, PointVerdict, PointwiseNorm, Sharpness,
+    Window, continuity_at, degrees, map, regularity,
 };
 use refinable_scheme::{Diagnostic, Normalised, Scheme, Substitution};
 use serde_json::json;
@@ -43,7 +43,7 @@ pub struct Scan {
     quantity: Quantity,
     /// For the continuity: one map for each order up to that of the symbol, which holds on a line only.
     maps: Vec<Map>,
-    norm: Option<Norm>,
+    norm: Option<PointwiseNorm>,
 }
 
 /// Values of a parameter: the first, the last, and the number of steps between.
@@ -78,8 +78,7 @@ impl Scan {
             Quantity::Continuity => scan.maps = scan.build_maps()?,
             Quantity::Norm { continuity, level } => {
                 let budget = Budget::default();
-                let norm = Norm::of_difference(scheme.mask(), continuity, level, budget)?;
-                scan.norm = Some(norm);
+                scan.norm = Some(PointwiseNorm::new(scheme.mask(), continuity, level, budget)?);
             }
             _ => {}
         }

@@ -11,13 +11,15 @@ use crate::families::{FamilyMaps, MAPS};
 use crate::figures;
 use crate::grid::Document;
 use crate::html::{self, Report};
+use crate::performance::Measurements;
 use crate::picture;
 
 /// The generated files of a report by their path, `/` between folders.
 pub type Site = BTreeMap<String, String>;
 
-/// The report of an audit: an index, each table as md, csv, tex, json and html, the comparison tables rebuilt, the figures, and
-/// a page for each family of two parameters. `NOTES.md` beside them is written by hand and not part of it.
+/// The report of an audit: an index, each table as md, csv, tex, json and html, the comparison tables rebuilt, the figures, a page
+/// for each family of two parameters, and one about speed if something has been measured. `NOTES.md` beside them is written by
+/// hand and not part of it.
 ///
 /// # Errors
 /// Those of the pictures of families; a scheme that cannot be resolved.
@@ -25,9 +27,17 @@ pub fn report_site(
     paper: &Paper,
     audit: &Audit,
     families: &[FamilyMaps],
+    measurements: Option<&Measurements>,
 ) -> Result<Site, Diagnostic> {
     let mut site = Site::new();
-    site.insert("README.md".into(), index(paper, audit, families));
+    let mut index = index(paper, audit, families);
+    if let Some(measurements) = measurements {
+        measurements.publish(&mut site);
+        index.push_str(
+            "\nHow time grows, and that of others: [performance](performance/README.md).\n",
+        );
+    }
+    site.insert("README.md".into(), index);
     for family in families {
         family.publish(&mut site)?;
     }

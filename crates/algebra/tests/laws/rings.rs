@@ -1,5 +1,7 @@
 //! Ring laws, and evaluation as a ring homomorphism.
 
+use std::collections::BTreeMap;
+
 use proptest::prelude::*;
 use proptest::test_runner::TestCaseError;
 use refinable_algebra::{
@@ -211,6 +213,13 @@ proptest! {
             p.with(&Parameter::new(name), &values[*name])
         });
         prop_assert_eq!(set.as_constant(), Some(value(&a, &values)));
+        let mut point: BTreeMap<Parameter, Rational> =
+            values.iter().map(|(name, x)| (Parameter::new(name), x.clone())).collect();
+        prop_assert_eq!(a.value_at(&point), Some(value(&a, &values)));
+        if let Some(parameter) = a.parameters().first() {
+            point.remove(parameter);
+            prop_assert_eq!(a.value_at(&point), None);
+        }
     }
 
     #[test]

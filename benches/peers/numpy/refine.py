@@ -1,18 +1,23 @@
-"""refine.py [ROUNDS [ROUNDS]]: refinement of curves and surfaces in Python, beside `cargo bench -p refinable-refine`.
+"""refine.py: refinement of curves and surfaces in Python, one thread, beside `cargo bench -p refinable-refine`.
 
-    python3 benches/peers/refine.py            (pip install numpy scipy numba)
+    python3 benches/peers/numpy/refine.py curve numpy 25       or: convolve, numba; how many runs
+    python3 benches/peers/numpy/refine.py surface numpy 9      or: ndimage, numba
 
 S_a5 at alpha = 1/16, beta = -1/48. Curves: closed, 2-D, 1000 points, ten levels. Surfaces: closed in both directions,
-3-D, 100 x 100 points, five levels. Prints nanoseconds per point of the last level, least and median. One thread; the
-rivals of a round take turns; what is compiled is compiled before. The last level is a new array each time, the levels
-before it are written over those of the run before: new memory costs as much as the arithmetic. The rivals agree."""
+3-D, 100 x 100 points, five levels. Prints one JSON object: the least seconds for each point of the last level, and a small
+polygon or net after three levels, to be compared. What is compiled is compiled before. The last level is a new array each
+time, the levels before it are written over those of the run before: new memory costs as much as the arithmetic."""
+
+import json
 import sys
 import time
-from statistics import median
 
-import numba
 import numpy as np
-from scipy import ndimage
+
+try:
+    from numba import njit
+except ImportError:  # the others do without
+    njit = lambda **_: lambda f: None
 
 ALPHA, B = 1 / 16, -1 / 48 * (1 - 1 / 16)
 # Half of each rule, from the outside: both are symmetric, which saves multiplications.
@@ -122,6 +127,8 @@ def curve_convolve(p, new):
 
 
 def ndimage_levels(f, arrays):
+    from scipy import ndimage
+
     new = np.empty((arrays[-1].shape[0], 2 * arrays[-1].shape[1], 3))
     for k, out in enumerate([*arrays, new]):
         axis = k % 2
@@ -135,7 +142,7 @@ def ndimage_levels(f, arrays):
 # ---- numba -----------------------------------------------------------------------------------------------------------
 
 
-@numba.njit(fastmath=True, cache=False)
+@njit(fastmath=True, cache=True)
 def curve_numba(p, new):
     x, y = p.reshape(-1), new.reshape(-1)
     for i in range(len(p) - 5):
@@ -145,7 +152,7 @@ def curve_numba(p, new):
             y[k + 2] = E2 * (x[j] + x[j + 10]) + E1 * (x[j + 2] + x[j + 8]) + E0 * (x[j + 4] + x[j + 6])
 
 
-@numba.njit(fastmath=True, cache=False)
+@njit(fastmath=True, cache=True)
 def surface_numba(p, new):
     """Along each row into a ring of six rows, then across them: the result is written once, and nothing else."""
     height, m, _ = p.shape
@@ -170,16 +177,16 @@ def surface_numba(p, new):
             odd[k] = E2 * (r0[k] + r5[k]) + E1 * (r1[k] + r4[k]) + E0 * (r2[k] + r3[k])
 
 
-# ---- the table -------------------------------------------------------------------------------------------------------
+# ---- the rivals -------------------------------------------------------------------------------------------------------
 
 
 def curves(f, count):
     """{rival: a call that refines}"""
     arrays, columns = scratch(f, count), [scratch(x.copy(), count) for x in f.T]
     return {
-        "numpy slices": lambda: refine(curve_slices, arrays),
-        "np.convolve": lambda: [refine(curve_convolve, x) for x in columns],
-        "numba, one thread": lambda: refine(curve_numba, arrays),
+        "numpy": lambda: refine(curve_slices, arrays),
+        "convolve": lambda: [refine(curve_convolve, x) for x in columns],
+        "numba": lambda: refine(curve_numba, arrays),
     }
 
 
@@ -187,51 +194,49 @@ def surfaces(f, count):
     arrays, (n, m, _) = scratch(f, count), f.shape
     halves = [np.empty((2 * n << k // 2, m << (k + 1) // 2, 3)) for k in range(2 * count - 1)]
     return {
-        "numpy slices": lambda: refine(surface_slices, arrays),
+        "numpy": lambda: refine(surface_slices, arrays),
         "ndimage": lambda: ndimage_levels(f, halves),
-        "numba, one thread": lambda: refine(surface_numba, arrays),
+        "numba": lambda: refine(surface_numba, arrays),
     }
 
 
-def literal(f, axis):
-    """The two rules as they are written, along an axis."""
-    at = lambda k: np.roll(f, -k, axis)
-    even = -ALPHA * at(-2) + 4 * ALPHA * at(-1) + (1 - 6 * ALPHA) * f + 4 * ALPHA * at(1) - ALPHA * at(2)
-    inner, outer = (9 / 16 + 2 * B) * (f + at(1)), (1 / 16 + 3 * B) * (at(-1) + at(2))
-    odd = B * at(-2) - outer + inner + B * at(3)
-    return np.stack((even, odd), axis + 1).reshape(*f.shape[:axis], -1, *f.shape[axis + 1 :])
+def literal(f, count, axes):
+    """The two rules as they are written, again and again along each axis."""
+    for axis in [axis for _ in range(count) for axis in axes]:
+        at = lambda k: np.roll(f, -k, axis)
+        even = -ALPHA * at(-2) + 4 * ALPHA * at(-1) + (1 - 6 * ALPHA) * f + 4 * ALPHA * at(1) - ALPHA * at(2)
+        inner, outer = (9 / 16 + 2 * B) * (f + at(1)), (1 / 16 + 3 * B) * (at(-1) + at(2))
+        odd = B * at(-2) - outer + inner + B * at(3)
+        f = np.stack((even, odd), axis + 1).reshape(*f.shape[:axis], -1, *f.shape[axis + 1 :])
+    return f
 
 
-def agree(f, rivals, count, axes):
-    expected = f
-    for _ in range(count):
-        for axis in axes:
-            expected = literal(expected, axis)
-    for name, run in rivals(f, count).items():
-        result = run()
-        result = np.stack(result, 1) if isinstance(result, list) else result
-        assert result.shape == expected.shape and abs(result - expected).max() < 1e-12, name
+def wave(*shape):
+    """Points, those of `cargo bench -p refinable-refine`."""
+    i = np.arange(np.prod(shape))
+    return (i * i % 1013 / 7.0).reshape(shape)
 
 
-def report(title, points, rivals, rounds):
-    rivals["plain copy"] = next(iter(rivals.values()))().copy
-    times = {name: [] for name in rivals}
+def points(result):
+    """An array; one coordinate at a time comes as a list."""
+    return np.stack(result, 1) if isinstance(result, list) else result
+
+
+def main(what, rival, rounds):
+    """The least time is taken over rounds: the first ones meet memory and clocks that are not ready yet."""
+    rivals, axes, count = (curves, [0], 10) if what == "curve" else (surfaces, [0, 1], 5)
+    small = wave(12, 2) if what == "curve" else wave(12, 14, 3)
+    refined = points(rivals(small, 3)[rival]())
+    if abs(refined - literal(small, 3, axes)).max() > 1e-12:
+        raise ArithmeticError("not the two rules as they are written")
+    run, times = rivals(wave(1000, 2) if what == "curve" else wave(100, 100, 3), count)[rival], []
     for _ in range(rounds):
-        for name, run in rivals.items():
-            start = time.perf_counter()
-            run()
-            times[name].append((time.perf_counter() - start) / points * 1e9)
-    for name, t in times.items():
-        print(f"{title + ', ' + name:28} {min(t):8.2f} {median(t):8.2f}")
+        start = time.perf_counter()
+        result = run()
+        times.append(time.perf_counter() - start)
+    seconds = min(times) / (points(result).size // points(result).shape[-1])
+    print(json.dumps({"seconds": seconds, "points": refined.reshape(-1, refined.shape[-1]).tolist()}))
 
 
-def main(rounds_of_curves=25, rounds_of_surfaces=9):
-    rng = np.random.default_rng(7)
-    agree(rng.random((40, 2)), curves, 3, [0])
-    agree(rng.random((12, 14, 3)), surfaces, 3, [0, 1])
-    print(f"{'ns per point':28} {'least':>8} {'median':>8}")
-    report("curve", 1000 << 10, curves(rng.random((1000, 2)), 10), rounds_of_curves)
-    report("surface", (100 << 5) ** 2, surfaces(rng.random((100, 100, 3)), 5), rounds_of_surfaces)
-
-
-main(*map(int, sys.argv[1:]))
+if __name__ == "__main__":
+    main(sys.argv[1], sys.argv[2], int(sys.argv[3]))

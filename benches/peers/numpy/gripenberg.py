@@ -1,11 +1,10 @@
 #!/usr/bin/env python3
 """gripenberg.py: brackets of the joint spectral radius (JSR) of difference schemes by branch and bound, in numpy.
 
-    python3 benches/peers/gripenberg.py                     the table: every case, delta = 1e-2, 1e-3, 1e-4
-    python3 benches/peers/gripenberg.py dd8 --delta 1e-3    one case, as one JSON object; a12 --alpha 3/1024 as well
+    python3 benches/peers/numpy/gripenberg.py dd8 --delta 1e-3    one case, as one JSON object; a12 --alpha 3/1024 as well
 
 Cases: dd4 .. dd16, the Deslauriers-Dubuc schemes 1 + e_N (dd_{2N+2}); a12, that is 1 - alpha (-D)^6 + e_5, by default
-at alpha = C(12,6)/16^6 = 231/4194304, where the order of the zero at -1 rises from 12 to 14, and at 3/1024. If (1+z)^m,
+at alpha = C(12,6)/16^6 = 231/4194304, where the order of the zero at -1 rises from 12 to 14. If (1+z)^m,
 m maximal, divides the symbol a, then c = 2^(m-1) a/(1+z)^m, A_eps[i][j] = c_{M-1+eps+i-2j} for 0 <= i, j < M, and the
 Hoelder exponent is m - 1 - log2 JSR(A_0, A_1): exactly if the shifts are stable, else it is a lower bound.
 
@@ -17,7 +16,7 @@ length k, p = min ||prefix of length i||^(1/i), i <= k; it is extended only if p
   * The masks are symmetric, A_1 = JA_0J with J the reversal, and so is this norm: only words that start with A_0.
   * Products are extended in chunks, deepest first: breadth first while they are few, in bounded memory when many.
     Frobenius norms first, 2-norms where these do not decide, eigenvalues of what is left, up to length DEPTH.
-delta is relative to the spectral radius of A_0, by which the matrices are divided first (--absolute: it is not).
+delta is relative to the spectral radius of A_0, by which the matrices are divided first.
 Rounding errors are not bounded, so the bracket is no proof. One thread.
 """
 
@@ -27,17 +26,14 @@ os.environ["OMP_NUM_THREADS"] = os.environ["OPENBLAS_NUM_THREADS"] = "1"
 
 import argparse
 import json
-import platform
-import sys
 import time
 from fractions import Fraction
 from math import comb, inf, log2
-from statistics import median
 
 import numpy as np
 
 DD = [f"dd{k}" for k in range(4, 17, 2)]
-ALPHAS = [Fraction(comb(12, 6), 16**6), Fraction(3, 1024)]
+ALPHA = Fraction(comb(12, 6), 16**6)
 CHUNK = 2048  # products extended at once
 DEPTH = 32  # the longest words whose eigenvalues are computed
 PASSES = 4  # of balancing
@@ -107,10 +103,10 @@ def balance(a):
 
 def search(a, delta, seconds, budget):
     """lower and upper bound of the JSR of a, lower attained by a word; counts."""
-    end = time.perf_counter() + seconds
+    end = time.process_time() + seconds
     lower, word, upper, products, depth = radius(a[:1], 1)[0], "0", 0.0, 0, 0
     stack = [(0, np.eye(len(a[0]))[None], np.array([inf]), np.array([0]))]  # length, products, p, words as bits
-    while stack and time.perf_counter() < end and products < budget:
+    while stack and time.process_time() < end and products < budget:
         k, f, p, w = stack.pop()
         if len(f) > CHUNK:
             stack.append((k, f[:-CHUNK], p[:-CHUNK], w[:-CHUNK]))
@@ -140,76 +136,26 @@ def search(a, delta, seconds, budget):
     return {"reached": bool(upper <= lower + delta), "lower": lower, "upper": upper, **counts}
 
 
-def bracket(name, alpha, options):
-    start = time.perf_counter()
+def bracket(name, options):
+    start = time.process_time()
     n = 5 if name == "a12" else int(name[2:]) // 2 - 1
-    m, a = matrices(symbol(n, alpha if name == "a12" else 0))
+    m, a = matrices(symbol(n, options.alpha if name == "a12" else 0))
     if not np.allclose(a[1], a[0, ::-1, ::-1]):
         raise ArithmeticError("A_1 is not JA_0J")
     scale = radius(a[:1], 1)[0]
-    a = a / scale if options.plain else balance(a / scale)
-    delta = options.delta[0] / scale if options.absolute else options.delta[0]
-    out = search(a, delta, options.limit - (time.perf_counter() - start), options.products)
+    out = search(balance(a / scale), options.delta, options.limit - (time.process_time() - start), options.products)
     out["lower"], out["upper"] = lower, upper = out["lower"] * scale, out["upper"] * scale
     out["hoelder"] = [m - 1 - log2(upper), m - 1 - log2(lower)]
-    out["seconds"] = time.perf_counter() - start
+    out["seconds"] = time.process_time() - start
     return {"tool": "numpy", "case": name, "m": m, "size": len(a[0]), **out}
-
-
-# ---- the table, in the manner of timing.py ---------------------------------------------------------------------------
-
-
-def table(options):
-    from timing import milliseconds, run
-
-    print(f"{platform.system()} {platform.machine()}, {os.cpu_count()} cores, one used; numpy {np.__version__}")
-    print(f"whole processes, milliseconds, {options.repetitions} interleaved repetitions after one untimed run;")
-    print("search: median without start-up and imports; lower bound..upper bound of JSR and Hoelder exponent\n")
-    me = [sys.executable, os.path.abspath(__file__)]
-    flags = [f"--{f}" for f in ("absolute", "plain") if getattr(options, f)]
-    flags += [f"--limit={options.limit}", f"--products={options.products}"]
-    widths = "<28", ">2", ">4", ">6", ">12", ">7", ">8", ">5", ">4", "<22", "<18"
-    heads = "task", "m", "size", "median", "min..max", "search", "products", "depth", "word", "JSR", "exponent"
-    line = lambda cells: print("  ".join(f"{x:{w}}" for x, w in zip(cells, widths)).rstrip(), flush=True)
-    line(heads)
-    print("-" * 136)
-    groups, good = [{"start-up alone": ([sys.executable, "-c", "import numpy; print('{}')"], "")}], True
-    for name, alpha in [(name, 0) for name in DD] + [("a12", x) for x in options.alpha]:
-        call = lambda delta: [*me, name, f"--delta={delta}", f"--alpha={alpha}", *flags]
-        groups.append({f"{name} {alpha or ''}".strip() + f", {d:g}": (call(d), "") for d in options.delta})
-    for commands in groups:
-        runs = {title: [run(c)] for title, c in commands.items()}  # untimed: warms the caches, gives the results
-        first = {title: json.loads(r[0][1] or '{"reached": false}') for title, r in runs.items()}
-        order = [title for title in commands if first[title].get("reached", True)]
-        for i in range(options.repetitions if order else 0):
-            for title in order[i % len(order) :] + order[: i % len(order)]:
-                runs[title].append(run(commands[title]))
-        for title, (untimed, *timed) in runs.items():
-            r, wall, failed = first[title], [t for t, _, _ in timed], any(text is None for _, text, _ in runs[title])
-            good = good and not failed
-            row = [title, r.get("m", ""), r.get("size", ""), "failed" if failed else "not reached", "", ""]
-            if wall and not failed:
-                row[3:5] = milliseconds(median(wall)), f"{milliseconds(min(wall))}..{milliseconds(max(wall))}"
-            if "m" in r:
-                if wall and not failed:
-                    row[5] = milliseconds(median(json.loads(text)["seconds"] for _, text, _ in timed))
-                row += [r["products"], r["depth"], r["word"], f"{r['lower']:.6f}..{r['upper']:.6f}"]
-                row.append("{:.6f}..{:.6f}".format(*r["hoelder"]))
-            line(row + [untimed[2]])
-    return 0 if good else 1
 
 
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("case", nargs="?", choices=[*DD, "a12"])
-    parser.add_argument("--delta", type=float, nargs="+", default=[1e-2, 1e-3, 1e-4])
-    parser.add_argument("--absolute", action="store_true", help="delta is not relative")
-    parser.add_argument("--alpha", type=Fraction, nargs="+", default=ALPHAS, help="of a12")
-    parser.add_argument("--limit", type=float, default=10, help="seconds for one search")
-    parser.add_argument("--products", type=int, default=10**8, help="budget for one search")
-    parser.add_argument("--plain", action="store_true", help="no similarity")
-    parser.add_argument("--repetitions", type=int, default=5)
+    parser.add_argument("case", choices=[*DD, "a12"])
+    parser.add_argument("--delta", type=float, default=1e-3)
+    parser.add_argument("--alpha", type=Fraction, default=ALPHA, help="of a12")
+    parser.add_argument("--limit", type=float, default=60, help="seconds of processor time for the search")
+    parser.add_argument("--products", type=int, default=10**8, help="budget for the search")
     options = parser.parse_args()
-    if not options.case:
-        sys.exit(table(options))
-    print(json.dumps(bracket(options.case, options.alpha[0], options)))
+    print(json.dumps(bracket(options.case, options)))

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""degrees.py: exact degrees of generation and reproduction of the two-tension schemes, in python-flint 0.9.
+"""degrees.py: exact degrees of generation and reproduction with the tensions free, in python-flint 0.9.
 
-    python3 benches/peers/degrees.py a43
+    python3 benches/peers/flint/degrees.py a43
 
-prints, as one JSON object, the strata of the scheme a_{2N+3}: generic first, then every set on which a degree rises,
-down to single points. Symbol, method and output are those of degrees.gp; read its header first.
+prints, as one JSON object, the strata of the scheme: generic first, then every set on which a degree rises,
+down to single points. Symbol, method and output are those of pari/degrees.gp; read its header first.
 """
 
 import sys
@@ -17,8 +17,9 @@ def binomial(i, k):
     return comb(i, k) if i >= 0 else (-1) ** k * comb(k - i - 1, k)
 
 
-def forms(n):
+def forms(number):
     """Derivatives at -1 and at 1 (less those that reproduction asks for), divided by k!, as rows on (1, alpha, b)."""
+    n = number // 2 - 1
     m, top = 2 * n + 3, 2 * n + 8
     z = fmpq_poly([0, 1])
     d = (z**2 - 1) ** 2  # z^2 D
@@ -27,13 +28,14 @@ def forms(n):
         e += fmpq(comb(2 * k, k), 16**k) * (-d) ** k * z ** (2 * (n - k))
     # z^(2N+3) times the parts of a: exponent i of a is row i + m
     parts = (z**m + e * z**2 * (1 + z**2) / 2, -z * (-d) ** (n + 1), d ** (n + 1) * (1 + z**2))
-    mask = fmpq_mat(2 * m + 1, 3, [p[i] for i in range(2 * m + 1) for p in parts])
+    parts = parts if number % 2 else parts[:2]
+    mask = fmpq_mat(2 * m + 1, len(parts), [p[i] for i in range(2 * m + 1) for p in parts])
     table = [[binomial(i, k) for i in range(-m, m + 1)] for k in range(top + 1)]
     at1 = fmpq_mat(top + 1, 2 * m + 1, [x for row in table for x in row]) * mask
     signed = [(-1) ** ((i + k) % 2) * table[k][i + m] for k in range(top + 1) for i in range(-m, m + 1)]
     at_1 = fmpq_mat(top + 1, 2 * m + 1, signed) * mask
     tau = at1[1, 0] / 2
-    if at1[1, 1] != 0 or at1[1, 2] != 0:
+    if any(at1[1, j] != 0 for j in range(1, len(parts))):
         raise ArithmeticError("tau depends on the parameters")
     wanted = fmpq(2)  # 2 tau (tau-1) ... (tau-k+1)
     for k in range(top + 1):
@@ -44,7 +46,7 @@ def forms(n):
 
 def restrict(f, k, s):
     """Row k of f on the stratum s, a matrix whose columns parametrise it: (1, alpha, b) = s (1, ...)."""
-    return (fmpq_mat(1, 3, [f[k, j] for j in range(3)]) * s).entries()
+    return (fmpq_mat(1, f.ncols(), [f[k, j] for j in range(f.ncols())]) * s).entries()
 
 
 def stop(f, s):
@@ -65,9 +67,10 @@ def cut(g, s):
     return s * fmpq_mat(n, n - 1, [-g[c] / g[j] if r == j else int(r == c) for r in range(n) for c in cols])
 
 
-def strata(n):
-    at_1, at1, tau = forms(n)
-    todo = [fmpq_mat(3, 3, [1, 0, 0, 0, 1, 0, 0, 0, 1])]
+def strata(number):
+    at_1, at1, tau = forms(number)
+    size = at1.ncols()
+    todo = [fmpq_mat(size, size, [int(i == j) for i in range(size) for j in range(size)])]
     out = []
     for s in todo:  # grows
         g = stop(at_1, s) - 1
@@ -83,8 +86,10 @@ def strata(n):
 def parameters(s):
     """alpha and beta = b/(1-alpha) of a stratum, as far as they are determined."""
     rows = s.tolist()
-    if len(rows[0]) == 3:
+    if len(rows[0]) == len(rows):
         return {}
+    if len(rows) == 2:
+        return {"alpha": str(rows[1][0])}
     if len(rows[0]) == 1:
         (alpha,), (b,) = rows[1:]
         if alpha == 1:
@@ -98,10 +103,9 @@ def parameters(s):
 
 
 def main(name):
-    m = int(name[1:])
-    if name[0] != "a" or m < 3 or m % 2 == 0:
-        raise ValueError("a3, a5, a7, ... expected")
-    found, tau = strata((m - 3) // 2)
+    if name[0] != "a" or int(name[1:]) < 2:
+        raise ValueError("a2, a3, a4, ... expected")
+    found, tau = strata(int(name[1:]))
     rows = []
     for s, g, r in found:
         p = parameters(s)

@@ -1,12 +1,21 @@
-"""C^0 to C^4 of S_{a5} on a grid of (alpha, beta) by norms of difference schemes up to level 6, in floats.
+"""scan.py: S_{a5} on a grid of COUNT x COUNT points of (alpha, beta) in [0, 1/8] x [-1/10, 0], in floats, one thread.
 
-Compiled with numba, two threads. C^n is asked only where C^(n-1) held; what level 6 does not show is
-taken for refuted. Run with `python scan.py 1000`, the number of points in each direction."""
+    python3 benches/peers/numpy/scan.py norm 100          ||c_1^3|| at every point, in numpy
+    python3 benches/peers/numpy/scan.py continuity 100    the largest n <= 3 with ||c_n^l|| < 1 for some l <= 6, in numba
+
+prints one JSON object: the seconds without imports and without what numba compiles, and a value for each point, beta
+changing fastest. C^n is asked only where C^(n-1) held; C^4 holds on a line only."""
+
+import json
 import sys
 import time
 
-import numba
 import numpy as np
+
+try:
+    from numba import njit
+except ImportError:  # the norms do without
+    njit = lambda **_: lambda f: None
 
 LEVELS = 6
 
@@ -38,7 +47,21 @@ def divided(part, order):
     return out
 
 
-@numba.njit(cache=False)
+def norms(n, level, alphas, betas):
+    """||c_n^level|| at all points at once: a row of coefficients for each."""
+    base, by_alpha, by_b = (divided(p, n + 1)[: 10 - n] for p in mask_parts())
+    alpha, beta = (x.ravel()[:, None] for x in np.meshgrid(alphas, betas, indexing="ij"))
+    c = base + alpha * by_alpha + beta * (1 - alpha) * by_b
+    product, size = c, c.shape[1]
+    for k in range(1, level):
+        longer = np.zeros((len(c), product.shape[1] + (size - 1 << k)))
+        for i in range(size):
+            longer[:, i << k : (i << k) + product.shape[1]] += c[:, i, None] * product
+        product = longer
+    return np.max([abs(product[:, j :: 1 << level]).sum(1) for j in range(1 << level)], 0)
+
+
+@njit(cache=True)
 def contracts(c):
     """Whether a norm of the scheme with the symbol c is below one up to the last level."""
     product = c.copy()
@@ -61,10 +84,10 @@ def contracts(c):
     return False
 
 
-@numba.njit(parallel=True, cache=False)
-def scan(parts, alphas, betas):
+@njit(cache=True)
+def continuity(parts, alphas, betas):
     out = np.empty((len(alphas), len(betas)), np.int8)
-    for i in numba.prange(len(alphas)):
+    for i in range(len(alphas)):
         for j in range(len(betas)):
             b = betas[j] * (1.0 - alphas[i])
             n = 0
@@ -77,18 +100,18 @@ def scan(parts, alphas, betas):
     return out
 
 
-def main():
-    count = int(sys.argv[1]) if len(sys.argv) > 1 else 1000
-    numba.set_num_threads(2)
-    # C^4 holds on a line only.
-    parts = np.array([[divided(p, n + 1) for p in mask_parts()] for n in range(4)])
+def main(what, count):
     alphas, betas = np.linspace(0, 1 / 8, count), np.linspace(-1 / 10, 0, count)
-    scan(parts, alphas[:2], betas[:2])
-    start = time.perf_counter()
-    out = scan(parts, alphas, betas)
-    seconds = time.perf_counter() - start
-    print(f"{count * count} points, {seconds:.2f} s, {seconds / count**2 * 1e6:.2f} µs a point")
-    print({int(n): int((out == n).sum()) for n in np.unique(out)})
+    if what == "norm":
+        scan = lambda alphas: norms(1, 3, alphas, betas)
+    else:
+        parts = np.array([[divided(p, n + 1) for p in mask_parts()] for n in range(4)])
+        scan = lambda alphas: continuity(parts, alphas, betas)
+        scan(alphas[:2])  # compiles
+    start = time.process_time()
+    values = scan(alphas)
+    seconds = time.process_time() - start
+    print(json.dumps({"seconds": seconds, "values": values.ravel().tolist()}))
 
 
-main()
+main(sys.argv[1], int(sys.argv[2]))
