@@ -63,7 +63,7 @@ START = {
     "SymPy": Command([sys.executable, "-c", "import sympy; print('sympy', sympy.__version__)"], read=NOTHING),
     "Maxima": Command(["maxima", "--very-quiet", "--batch-string=?princ(build_info())$"], read=NOTHING),
     "numpy": Command([sys.executable, "-c", "import numpy; print('numpy', numpy.__version__)"], read=NOTHING),
-    "scipy": Command([sys.executable, "-c", "import scipy.ndimage as i, scipy; print('scipy', scipy.__version__)"], read=NOTHING),
+    "scipy": Command([sys.executable, "-c", "import scipy.ndimage; print('scipy', scipy.__version__)"], read=NOTHING),
     "numba": Command([sys.executable, "-c", "import numba; print('numba', numba.__version__)"], read=NOTHING),
 }
 base = lambda tool: tool.split(",")[0]
@@ -129,8 +129,8 @@ def scan(what, count, tool):
 
 def benchmark(name, points, runs):
     """One of crates/refine/benches, which states its time."""
-    args = ["cargo", "bench", "--quiet", "--manifest-path", os.path.join(ROOT, "Cargo.toml"), "--package=refinable-refine"]
-    args += ["--", "--exact", f"refine::{name}", f"--sample-count={runs}"]
+    args = ["cargo", "bench", "--quiet", "--manifest-path", os.path.join(ROOT, "Cargo.toml")]
+    args += ["--package=refinable-refine", "--", "--exact", f"refine::{name}", f"--sample-count={runs}"]
     return Command(args, read=lambda out: (agreement.fastest(out, name) / points, None))
 
 

@@ -108,8 +108,8 @@ def rows(task, start, repetitions):
 def line(row, previous):
     title, unit, tool, mid, low, high, ratio, ratio_low, ratio_high, result = row
     label = f"{title} [{unit}]" if title != previous else ""
-    spread = lambda a, b: f"{a}..{b}" if a else ""
-    return f"{label:<46} {tool:<18} {mid:>7} {spread(low, high):>15} {ratio:>7} {spread(ratio_low, ratio_high):>14}  {result}"
+    times, ratios = (f"{a}..{b}" if a else "" for a, b in ((low, high), (ratio_low, ratio_high)))
+    return f"{label:<50} {tool:<18} {mid:>7} {times:>15} {ratio:>7} {ratios:>14}  {result}".rstrip()
 
 
 def main():
@@ -125,14 +125,14 @@ def main():
     notes = [machine, "with start-up taken off: " + ", ".join(versions), f"{repetitions} turns"]
     print("\n".join(notes) + "\n")
     heads = line(["task", "unit", "tool", "median", "min", "max", "ratio", "min", "max", ""], "")
-    print(heads.rstrip() + "\n" + "-" * 118)
+    print(heads + "\n" + "-" * 120)
     good, table, previous = True, [], ""
     for task in tasks():
         if options.only not in task.title:
             continue
         task.commands = {tool: c for tool, c in task.commands.items() if base(tool) not in absent}
         for row, well in rows(task, start, repetitions):
-            print(line(row, previous).rstrip(), flush=True)
+            print(line(row, previous), flush=True)
             good, previous = good and well, row[0]
             table.append(row)
     if options.csv:
