@@ -145,6 +145,25 @@ impl<R: Ring> Laurent<R> {
         let back = |p: Polynomial<R>| Laurent::new(self.lowest, p.coefficients().to_vec());
         (back(quotient), back(remainder))
     }
+
+    /// The largest `k` for which `σ^k` divides, as above, with an arity of at least two; `None` for zero.
+    ///
+    /// # Cost
+    /// `k + 1` passes over the coefficients, additions only.
+    pub fn geometric_order(&self, arity: usize) -> Option<usize> {
+        if self.is_zero() {
+            return None;
+        }
+        let sigma = Polynomial::new(vec![R::one(); arity]);
+        let (mut rest, mut order) = (self.polynomial.clone(), 0);
+        loop {
+            let (quotient, remainder) = rest.divide_by_monic(&sigma);
+            if !remainder.is_zero() {
+                return Some(order);
+            }
+            (rest, order) = (quotient, order + 1);
+        }
+    }
 }
 
 impl<R: Ring> Ring for Laurent<R> {

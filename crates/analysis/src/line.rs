@@ -212,9 +212,7 @@ impl Line {
     /// The largest `k` for which `σ^k` divides the symbol everywhere on the line.
     pub fn order(&self) -> usize {
         let parts = [&self.base, &self.direction];
-        let divides =
-            |k: usize| parts.iter().all(|part| part.divide_by_geometric(self.arity, k).1.is_zero());
-        (1..).take_while(|&k| divides(k)).last().unwrap_or(0)
+        parts.iter().filter_map(|part| part.geometric_order(self.arity)).min().unwrap_or(0)
     }
 
     /// The pencil of the matrices `A_ε[i][j] = c_{o+ε+i-mj} / bound` of `c = m^(k-1) a / σ^k`.

@@ -114,10 +114,8 @@ impl Plane {
 
     /// The largest `k` for which `σ^k` divides the symbol everywhere.
     pub fn order(&self) -> usize {
-        let divides = |k: usize| {
-            self.parts.values().all(|part| part.divide_by_geometric(self.arity, k).1.is_zero())
-        };
-        (1..).take_while(|&k| divides(k)).last().unwrap_or(0)
+        let orders = self.parts.values().filter_map(|part| part.geometric_order(self.arity));
+        orders.min().unwrap_or(0)
     }
 
     /// The family as a certificate has it.

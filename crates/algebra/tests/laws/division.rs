@@ -294,6 +294,22 @@ proptest! {
     }
 
     #[test]
+    fn the_geometric_order_is_that_of_the_last_division_without_remainder(
+        quotient in laurent(whole(), 8),
+        arity in 2usize..=4,
+        times in 0usize..=3,
+    ) {
+        let multiple = quotient.times(&geometric(arity).power(times as u32));
+        let Some(order) = multiple.geometric_order(arity) else {
+            prop_assert!(quotient.is_zero());
+            return Ok(());
+        };
+        prop_assert!(order >= times);
+        prop_assert!(multiple.divide_by_geometric(arity, order).1.is_zero());
+        prop_assert!(!multiple.divide_by_geometric(arity, order + 1).1.is_zero());
+    }
+
+    #[test]
     fn the_primitive_form_of_a_parameter_polynomial_is_an_integer_polynomial(
         a in nonzero_parameter_polynomial(3, 4),
     ) {
