@@ -206,7 +206,7 @@ const CURVES: [(&str, &str); 3] = [
 ];
 
 /// Scheme (on its curve), order, level and the two ends, to 12 significant digits: computed with
-/// PARI/GP 2.15 by `benches/peers/contractivity.gp`.
+/// PARI/GP 2.15 by `benches/peers/pari/contractivity.gp`.
 const ENDS: [(&str, usize, usize, &str, &str); 30] = [
     ("a2", 1, 4, "0", "0.441954097146"),
     ("a2", 1, 6, "0", "0.458488427166"),

@@ -1,4 +1,4 @@
-//! Refinement: `cargo bench -p refinable-refine`. The rivals are in `benches/peers/refine.py`.
+//! Refinement: `cargo bench -p refinable-refine`. The rivals are in `benches/peers/numpy/refine.py`.
 //!
 //! Items are points of the last level, so that divan prints points per second; `copy` is a plain copy of
 //! the result into fresh memory.

@@ -19,8 +19,6 @@ fn shell(script: &str, directory: &Path) -> Output {
     let path = std::env::var("PATH").expect("a path");
     let mut command = Command::new("sh");
     command.args(["-e", "-c", script]).current_dir(directory);
-    // Help is wrapped where another package of the workspace asks clap to: not here.
-    command.env("COLUMNS", "10000");
     command.env("PATH", format!("{}:{path}", program.display())).output().expect("a shell")
 }
 
