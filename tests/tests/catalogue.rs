@@ -75,7 +75,8 @@ fn scheme_files_that_are_wrong() {
         (format!("{head}[[expect]]\nsmoothness = 3"), "file", 4, "unknown field `smoothness`"),
         (format!("{head}[[expect]]\nsupport = [1]"), "file", 4, ""),
         (format!("{head}[[expect]]\ncontinuity = -1"), "file", 4, ""),
-        ("name = 'x'\nmask = '[1/2, 1'".into(), "syntax", 2, "the list is not closed"),
+        // The mask is shown alone.
+        ("name = 'x'\nmask = '[1/2, 1'".into(), "syntax", 1, "the list is not closed"),
         ("name = 'x'\nmask = '[1, 2, 1]'".into(), "not-normalised", 0, "every stencil"),
         (format!("{head}set = ['w=1']"), "substitution", 0, "the scheme has no parameter `w`"),
     ] {
