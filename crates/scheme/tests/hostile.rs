@@ -69,6 +69,8 @@ fn long_but_harmless_texts_are_read() {
     assert_eq!(value.to_string(), format!("-{}/3*a", 2_998));
     let deep = "(".repeat(199) + "1" + &")".repeat(199);
     assert!(Expression::parse(&deep).unwrap().evaluate().is_ok());
+    let wide = repeated(1_000, "+", |_| "-(1)".to_string());
+    assert_eq!(Expression::parse(&wide).unwrap().evaluate().unwrap().to_string(), "-1000");
     let list = format!("[{}]", repeated(5_000, ", ", |k| k.to_string()));
     assert_eq!(Mask::parse(&list, 2).unwrap().support(), (-2_499, 2_499));
 }

@@ -131,8 +131,15 @@ fn interpolation_is_a_condition_on_the_parameters() {
     assert_eq!(conditions("[1, 1] @ 1"), [ParameterPolynomial::constant(rational(1, 1))]);
 }
 
+/// In parentheses there are no entries to be told apart.
+#[test]
+fn a_sign_in_parentheses_is_an_operator() {
+    let mask = Mask::parse("[(1 -3), 1, -(2 -5)]", 2).unwrap();
+    assert_eq!(mask, Mask::parse("[-2, 1, 3]", 2).unwrap());
+}
+
 /// A text, the code, what the caret is under, and a part of the hint.
-const REFUSED: [(&str, &str, &str, &str); 47] = [
+const REFUSED: [(&str, &str, &str, &str); 48] = [
     ("[1/16a, 2]", "syntax", "a", "write `1/16*a` or `1/(16*a)`"),
     ("[64 a]", "syntax", "a", "write `64, a` or `64*a`"),
     ("[1/(a)b]", "syntax", "b", "write"),
@@ -143,6 +150,7 @@ const REFUSED: [(&str, &str, &str, &str); 47] = [
     ("[1 4 6 4 1]", "syntax", "4", "write `1, 4` or `1*4`"),
     ("[1 -2 1]", "syntax", "-", "commas"),
     ("[-1 -1]", "syntax", "-", "commas"),
+    ("[(1) -1]", "syntax", "-", "commas"),
     ("[]", "syntax", "]", ""),
     ("[1,,1]", "syntax", ",", ""),
     ("[1, 1,]", "syntax", "]", ""),
