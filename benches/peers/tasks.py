@@ -130,7 +130,7 @@ def scan(what, count, tool):
 def benchmark(name, points, runs):
     """One of crates/refine/benches, which states its time."""
     args = ["cargo", "bench", "--quiet", "--manifest-path", os.path.join(ROOT, "Cargo.toml")]
-    args += ["--package=refinable-refine", "--", "--exact", f"refine::{name}", f"--sample-count={runs}"]
+    args += ["--package=refinable-refine", "--bench=refine", "--", "--exact", f"refine::{name}", f"--sample-count={runs}"]
     return Command(args, read=lambda out: (agreement.fastest(out, name) / points, None))
 
 
