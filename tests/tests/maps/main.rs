@@ -1,6 +1,8 @@
 //! Maps over two parameters: against single values, against ranges along curves, against the paper's
 //! conditions; and that no map holds when it is changed.
 
+mod poles;
+
 use refinable_algebra::{
     Parameter, ParameterFraction, ParameterPolynomial, Rational, Ring, decimal, rational,
 };
