@@ -42,7 +42,7 @@ pub enum MapVerdict {
     Proved,
     /// C^n fails.
     Refuted,
-    /// Nothing is said: the point is in no decided piece, or the shifts may be unstable there.
+    /// Nothing is said: the point is in no decided piece, the shifts may be unstable there, or it is a pole.
     Undecided,
 }
 
@@ -276,6 +276,9 @@ impl Map {
     /// One comparison for each cut on the way down to the piece.
     pub fn verdict_at(&self, parameters: &[Rational; 2]) -> MapVerdict {
         let point = self.plane.point(parameters);
+        if self.plane.is_pole(&point) {
+            return MapVerdict::Undecided;
+        }
         let roots = self.parts.iter().zip(&self.certificate.roots);
         let mut open: Vec<usize> =
             roots.filter(|(part, _)| part.contains(&point)).map(|(_, &root)| root).collect();

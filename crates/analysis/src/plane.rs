@@ -11,7 +11,7 @@ use refinable_spectral::PlanePencil;
 
 use crate::line::letters;
 
-/// A family of masks that are polynomials in two coordinates `x` and `y`.
+/// A family of masks that are polynomials, or rational functions, of two coordinates `x` and `y`.
 ///
 /// The coordinates are the parameters `u` and `v` themselves, or `x = u` and `y = v l(u)` with an affine
 /// `l` that makes the masks affine: the families with the product `β(1-α)` are planes in the
@@ -25,10 +25,12 @@ pub struct Plane {
     factor: Option<Polynomial<Rational>>,
     lowest: i64,
     length: usize,
-    /// For each `x^i y^j` its coefficients in the mask.
+    /// For each `x^i y^j` its coefficients in the mask, or in the numerators.
     parts: BTreeMap<(u32, u32), Laurent<Rational>>,
     /// The same for `u^i v^j`.
     in_parameters: BTreeMap<(u32, u32), Laurent<Rational>>,
+    /// The coefficients of each `x^i y^j` in the common denominator, if it is not one.
+    denominator: Option<BTreeMap<(u32, u32), Rational>>,
 }
 
 /// The parts of a mask by exponents of two variables.
@@ -38,8 +40,7 @@ impl Plane {
     /// The surface of masks of a family.
     ///
     /// # Errors
-    /// Code `parameters` unless exactly two are free, `pole` if the mask has a denominator with a
-    /// parameter.
+    /// Code `parameters` unless exactly two are free.
     pub fn new(name: &str, mask: &Normalised) -> Result<Plane, Diagnostic> {
         let parameters: Vec<Parameter> = mask.parameters().into_iter().collect();
         let parameters: [Parameter; 2] =
@@ -56,16 +57,16 @@ impl Plane {
                 };
                 Diagnostic::new("parameters", message).with_hint(hint)
             })?;
-        let Some(denominator) = mask.denominator().as_constant() else {
-            let message = format!("the mask has the denominator {}", mask.denominator());
-            let hint = "maps are made of families whose masks are polynomials in both parameters";
-            return Err(Diagnostic::new("pole", message).with_hint(hint));
-        };
-        let numerator =
-            mask.numerator().scaled(&ParameterPolynomial::constant(denominator.recip()));
+        let constant = mask.denominator().as_constant();
+        let scale = constant.as_ref().map_or_else(Rational::one, Rational::recip);
+        let numerator = mask.numerator().scaled(&ParameterPolynomial::constant(scale));
         let (lowest, length) = (numerator.lowest(), numerator.coefficients().len());
         let [u, v] = &parameters;
         let plain = parts(&numerator, u, v);
+        let denominator = constant.is_none().then(|| {
+            let terms = mask.denominator().terms();
+            terms.map(|(m, c)| ((m.exponent(u), m.exponent(v)), c.clone())).collect()
+        });
         // The roles may have to be exchanged.
         let charts = [(u, v), (v, u)].into_iter().find_map(|(u, v)| {
             let in_parameters = parts(&numerator, u, v);
@@ -74,10 +75,20 @@ impl Plane {
         });
         let is_affine = plain.keys().all(|(i, j)| i + j <= 1);
         let (parameters, factor, parts, in_parameters) = charts
-            .filter(|_| !is_affine)
+            .filter(|_| !is_affine && denominator.is_none())
             .unwrap_or_else(|| (parameters.clone(), None, plain.clone(), plain.clone()));
         let (name, arity) = (name.to_string(), mask.arity());
-        Ok(Plane { name, arity, parameters, factor, lowest, length, parts, in_parameters })
+        Ok(Plane {
+            name,
+            arity,
+            parameters,
+            factor,
+            lowest,
+            length,
+            parts,
+            in_parameters,
+            denominator,
+        })
     }
 
     /// The parameters `u` and `v`.
@@ -97,7 +108,15 @@ impl Plane {
 
     /// Whether the masks are affine in `x` and `y`.
     pub fn is_affine(&self) -> bool {
-        self.parts.keys().all(|(i, j)| i + j <= 1)
+        self.denominator.is_none() && self.parts.keys().all(|(i, j)| i + j <= 1)
+    }
+
+    /// Whether there is no mask at the point `(x, y)`, as the denominator vanishes.
+    pub fn is_pole(&self, [x, y]: &[Rational; 2]) -> bool {
+        self.denominator.as_ref().is_some_and(|terms| {
+            let term = |((i, j), c): (&(u32, u32), &Rational)| c * x.power(*i) * y.power(*j);
+            terms.iter().map(term).sum::<Rational>().is_zero()
+        })
     }
 
     /// The point `(x, y)` of the parameters.
@@ -127,6 +146,9 @@ impl Plane {
             order,
             lowest: self.lowest,
             mask: self.terms(&self.parts),
+            denominator: self.denominator.as_ref().map(|terms| {
+                terms.iter().map(|((i, j), c)| (Number(c.clone()), *i, *j)).collect()
+            }),
             chart: self.factor.as_ref().map(|factor| Chart {
                 factor: factor.coefficients().iter().cloned().map(Number).collect(),
                 mask: self.terms(&self.in_parameters),
@@ -162,7 +184,10 @@ impl Plane {
         let letters = |part| letters(part, self.arity, order, extent, &scale);
         let terms: Vec<(u32, u32, Vec<Matrix<Rational>>)> =
             parts.iter().map(|((i, j), part)| (*i, *j, letters(part))).collect();
-        PlanePencil::new(&terms)
+        let pencil = PlanePencil::new(&terms);
+        let Some(denominator) = &self.denominator else { return pencil };
+        let terms: Vec<_> = denominator.iter().map(|((i, j), c)| (*i, *j, c.clone())).collect();
+        pencil.over(&terms)
     }
 
     /// The polynomials in `x` and `y` that vanish where `σ^order` divides the symbol.

@@ -127,12 +127,22 @@ impl Maps {
                 ));
             }
         }
+        if let Some(poles) = self.poles() {
+            remarks.push(format!("the mask has poles where {poles} = 0: nothing is said there"));
+        }
         remarks.push(format!(
             "coordinates of the pieces: {}",
             coordinates(&self.maps[0].plane).join(", ")
         ));
         remarks.push("proof checked".into());
         remarks
+    }
+
+    /// The polynomial that vanishes at the poles, primitive, if there are some.
+    fn poles(&self) -> Option<ParameterPolynomial> {
+        let map = &self.maps[0];
+        let terms = map.certificate.family.denominator.as_ref()?;
+        Some(in_parameters(map, terms))
     }
 
     fn json_of(&self, map: &Map) -> Value {
@@ -181,6 +191,7 @@ impl Maps {
             "continuity": map.continuity(),
             "box": {u.name(): span(&u0, &u1), v.name(): span(&v0, &v1)},
             "coordinates": [x, y],
+            "poles": self.poles().map(|p| p.to_string()),
             "area": {
                 "proved": area_number(proved), "refuted": area_number(refuted),
                 "undecided": area_number(undecided),

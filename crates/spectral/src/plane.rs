@@ -7,16 +7,21 @@ use crate::float::approximate;
 use crate::geometry::Place;
 use crate::pencil::is_mirrored;
 
-/// The matrices `B_ε(x, y) = Σ x^i y^j B_ε^{ij}`, all of one size.
+/// The matrices `B_ε(x, y) = Σ x^i y^j B_ε^{ij} / d(x, y)`, all of one size.
 #[derive(Clone, Debug)]
 pub struct PlanePencil {
     /// `i`, `j` and the matrices, rounded: they only ever search.
     terms: Vec<(i32, i32, Vec<DMatrix<f64>>)>,
+    /// `i`, `j` and the coefficients of `d`.
+    denominator: Vec<(i32, i32, f64)>,
     mirrored: bool,
 }
 
+/// Nearer to zero than this the denominator is taken for it: growth near a pole is large, and finite.
+const POLE: f64 = 1e-12;
+
 impl PlanePencil {
-    /// The set with the given coefficients `(i, j, B^{ij})`.
+    /// The set with the given coefficients `(i, j, B^{ij})`, and the denominator one.
     ///
     /// # Panics
     /// If there are no matrices.
@@ -31,7 +36,13 @@ impl PlanePencil {
             .iter()
             .map(|(i, j, set)| (*i as i32, *j as i32, set.iter().map(rounded).collect()))
             .collect();
-        PlanePencil { terms, mirrored }
+        PlanePencil { terms, denominator: vec![(0, 0, 1.0)], mirrored }
+    }
+
+    /// The same over the denominator with the given coefficients `(i, j, d^{ij})`.
+    pub fn over(self, denominator: &[(u32, u32, Rational)]) -> Self {
+        let rounded = |(i, j, c): &(u32, u32, Rational)| (*i as i32, *j as i32, approximate(c));
+        PlanePencil { denominator: denominator.iter().map(rounded).collect(), ..self }
     }
 
     /// The number of matrices.
@@ -47,9 +58,12 @@ impl PlanePencil {
     /// The matrices at a point.
     pub(crate) fn at(&self, place: Place) -> Vec<DMatrix<f64>> {
         let [x, y] = place;
+        let power = |i: i32, j: i32| x.powi(i) * y.powi(j);
+        let denominator: f64 = self.denominator.iter().map(|(i, j, c)| c * power(*i, *j)).sum();
+        let denominator = denominator.abs().max(POLE).copysign(denominator);
         let mut sum: Vec<DMatrix<f64>> = self.terms[0].2.iter().map(|m| m * 0.0).collect();
         for (i, j, set) in &self.terms {
-            let weight = x.powi(*i) * y.powi(*j);
+            let weight = power(*i, *j) / denominator;
             for (s, matrix) in sum.iter_mut().zip(set) {
                 s.zip_apply(matrix, |s, x| *s += weight * x);
             }

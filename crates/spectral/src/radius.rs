@@ -26,9 +26,9 @@ pub struct Radius {
     pub lemmas: Vec<Lemma>,
 }
 
-/// What all polytopes for one radius may take together: some ten seconds. Those that are found take less than a
-/// tenth of it; without a limit matrices of size 24 and more can take many minutes, mostly in vain.
-const WORK: u64 = 10_000_000_000;
+/// What growing polytopes may take up to an exact end, and then for each width: a second or two. For the masks of papers
+/// it is a fiftieth of that or less; without a limit matrices of size 24 and more take many minutes in vain.
+const WORK: u64 = 3_000_000_000;
 /// How far apart, relatively, the bounds may be, tried in turn where they cannot be made equal.
 const WIDTHS: [f64; 6] = [4e-10, 1e-8, 1e-6, 1e-4, 1e-3, 1e-2];
 
@@ -95,6 +95,8 @@ fn bracket(search: &Search, word: &Word, to: &RealAlgebraic, upper: Lemma) -> Op
     let zero = Rational::from_integer(0.into());
     WIDTHS.iter().find_map(|width| {
         let from = dyadic(approximate_root(to) * (1.0 - width), 50);
+        // However much the finer ones took, the coarser ones are easier.
+        let search = Search { work: &Work::of(WORK), ..*search };
         let Outcome::Proved(polytope, _) = search.closed(&zero, &from) else { return None };
         Some(Radius {
             word: word.clone(),

@@ -245,3 +245,16 @@ proptest! {
         prop_assert_eq!(real_point(&curve), somewhere);
     }
 }
+
+/// The limits from both sides: `x^200 = 1` is solved and `x^201 = 1` is not, nor are curves beyond degree 24.
+#[test]
+fn degrees_that_are_not_solved() {
+    let ([x, y], names) = (coordinates(), plane());
+    let one = ParameterPolynomial::one();
+    let unity = |n| common_zero_set(&[x.power(n).minus(&one)], &names[..1]);
+    assert_eq!(unity(200).map(|roots| roots.len()).ok(), Some(2));
+    assert!(unity(201).is_err());
+    let graph = |n| common_zero_set(&[x.power(n).plus(&y)], &names);
+    assert!(matches!(&graph(24).unwrap()[..], [Component::Hypersurface(_)]));
+    assert!(graph(25).is_err());
+}

@@ -25,10 +25,21 @@ pub(crate) struct PlaneScheme {
     pub symbol: Vec<Form>,
     /// The numerators of `m^(k-1) a / σ^k`.
     pub difference: Vec<Form>,
-    /// The common denominator of the mask.
-    pub denominator: Integer,
-    /// The largest total degree of a coefficient.
+    /// The common denominator of the mask, a constant if there are no poles.
+    pub denominator: Form,
+    /// The largest total degree of a numerator or the denominator.
     pub degree: usize,
+}
+
+/// What polar forms are at some points, all over the same positive number.
+#[derive(Debug)]
+pub(crate) struct Polar {
+    /// Those of the numerators,
+    pub values: Vec<Integer>,
+    /// and that of the denominator of the mask.
+    pub denominator: Integer,
+    /// The positive number.
+    pub weight: Integer,
 }
 
 impl PlaneScheme {
@@ -40,14 +51,21 @@ impl PlaneScheme {
         let length = family.mask.len();
         ensure(length >= m && length <= COEFFICIENTS, "a mask that is too short or too long")?;
         check_mask(&family.mask)?;
-        let (denominator, symbol) = cleared(&family.mask);
+        let one = vec![(Number(Rational::one()), 0, 0)];
+        let denominator = family.denominator.clone().unwrap_or(one);
+        check_terms(&denominator)?;
+        limits::denominators(denominator.iter().map(|(c, ..)| c)).or_else(fail)?;
+        let mut symbol = cleared(&[&family.mask[..], &[denominator]].concat());
+        let denominator = symbol.pop().unwrap_or_default();
+        let constant = degree(&denominator) == 0;
+        ensure(!constant || family.denominator.is_none(), "a denominator that is a constant")?;
         for j in 0..m {
             let stencil = symbol.iter().skip(j).step_by(m);
             let sum = stencil.fold(Form::zero(), |sum, c| sum.plus(c));
-            let one = Form::constant(Polynomial::constant(denominator.clone()));
-            ensure(sum == one, "a stencil does not sum to one")?;
+            ensure(sum == denominator, "a stencil does not sum to one")?;
         }
         if let Some(chart) = &family.chart {
+            ensure(family.denominator.is_none(), "a chart of a family with a denominator")?;
             check_chart(&family.mask, chart)?;
         }
         let (order, steps) = (family.order, family.order.saturating_mul(m - 1));
@@ -59,7 +77,7 @@ impl PlaneScheme {
         };
         let factor = Polynomial::constant(integer(m as i64).power(order as u32 - 1));
         let difference: Vec<Form> = quotient.iter().map(|c| c.scaled(&factor)).collect();
-        let degree = symbol.iter().map(degree).max().unwrap_or(0);
+        let degree = symbol.iter().chain([&denominator]).map(degree).max().unwrap_or(0);
         Ok(PlaneScheme {
             arity: m,
             order,
@@ -90,35 +108,35 @@ impl PlaneScheme {
         c.iter().eq(c.iter().rev()) && c.len() - 1 == (self.arity - 1) * self.dimension()
     }
 
+    /// Whether masks have no poles.
+    pub fn is_polynomial(&self) -> bool {
+        degree(&self.denominator) == 0
+    }
+
     /// The matrices `A_ε`, row by row, over the denominator.
     pub fn letters(&self) -> Vec<Vec<Form>> {
         matrices(&self.difference, self.arity)
     }
 
-    /// The values of the polar forms of forms at as many points as the degree says, and their common
-    /// denominator.
-    pub fn polar(
-        &self,
-        forms: &[Form],
-        points: &[&Corner],
-        work: &mut Work,
-    ) -> Check<(Vec<Integer>, Integer)> {
+    /// The values of the polar forms of forms, and of the denominator, at as many points as the degree says.
+    pub fn polar(&self, forms: &[Form], points: &[&Corner], work: &mut Work) -> Check<Polar> {
         let n = self.degree;
         let bits = largest_bits(points.iter().copied().flatten()) * n as u64 + 64;
         work.products((n + 1) * (n + 2) * (forms.len() + n), bits, bits)?;
         let places = Places::new(points);
         let values = forms.iter().map(|form| places.value(form)).collect();
-        Ok((values, places.denominator * &self.denominator))
+        let denominator = places.value(&self.denominator);
+        Ok(Polar { values, denominator, weight: places.denominator })
     }
 
-    /// The values of forms at all control points of a piece, each with its denominator: the polar
-    /// forms at the multisets of its corners. On the piece a form is a mean of them.
+    /// The polar forms of forms and the denominator at all control points of a piece, the multisets of its
+    /// corners. On the piece a form is a mean of them.
     pub fn controls(
         &self,
         forms: &[Form],
         polygon: &Polygon,
         work: &mut Work,
-    ) -> Check<Vec<(Vec<Integer>, Integer)>> {
+    ) -> Check<Vec<Polar>> {
         let corners = polygon.corners();
         let (r, n) = (corners.len() as u32, self.degree as u32);
         let count = i64::try_from(&binomial(r + n - n.min(1), n)).unwrap_or(i64::MAX);
@@ -146,14 +164,14 @@ impl PlaneScheme {
         divided(&self.symbol, self.arity, order).is_some()
     }
 
-    /// The member at a point, by the numerators of its mask.
+    /// The mask at a point at which the denominator does not vanish.
     pub fn mask_at(&self, point: &[Rational; 2]) -> Vec<Rational> {
-        let denominator = Rational::from(self.denominator.clone());
+        let denominator = value_at(&self.denominator, point);
         self.symbol.iter().map(|form| value_at(form, point) / &denominator).collect()
     }
 
     /// The submasks of the difference symbol, and `c(-z)`, at a point, without the coefficients that
-    /// vanish identically at their ends; up to positive factors.
+    /// vanish identically at their ends; up to factors.
     pub fn halves_and_alternating(&self, point: &[Rational; 2]) -> [Vec<Integer>; 3] {
         let values: Vec<Rational> = self.difference.iter().map(|c| value_at(c, point)).collect();
         let (_, values) = clear_denominators(values.iter());
@@ -271,6 +289,7 @@ pub(crate) fn check_section(
     work: &mut Work,
 ) -> Check<()> {
     let (other, lowest) = other;
+    ensure(scheme.is_polynomial(), "a section of a family with a denominator")?;
     let point = direction.iter().all(Ring::is_zero);
     ensure(point == other.constant, "a section does not move with its parameter")?;
     // Polynomials of degree at most n are the same if they are at n + 1 values of the parameter.

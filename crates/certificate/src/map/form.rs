@@ -11,19 +11,18 @@ use crate::work::{Check, Work, largest_bits};
 /// A polynomial in `y` whose coefficients are polynomials in `x`.
 pub(crate) type Form = Polynomial<Polynomial<Integer>>;
 
-/// Polynomials over their least common denominator.
-pub(crate) fn cleared(all: &[Terms]) -> (Integer, Vec<Form>) {
-    let (denominator, numbers) = clear_denominators(all.iter().flatten().map(|(c, ..)| &c.0));
+/// Polynomials times the least common denominator of all their coefficients.
+pub(crate) fn cleared(all: &[Terms]) -> Vec<Form> {
+    let (_, numbers) = clear_denominators(all.iter().flatten().map(|(c, ..)| &c.0));
     let mut numbers = numbers.into_iter();
-    let forms = all.iter().map(|terms| {
+    let form = |terms: &Terms| {
         let terms = terms.iter().zip(&mut numbers);
         let monomial = |(&(_, i, j), c): (&(_, u32, u32), Integer)| {
             Form::monomial(Polynomial::monomial(c, i as usize), j as usize)
         };
         terms.map(monomial).fold(Form::zero(), |sum, term| sum.plus(&term))
-    });
-    let forms = forms.collect();
-    (denominator, forms)
+    };
+    all.iter().map(form).collect()
 }
 
 /// The total degree; zero for the zero polynomial.

@@ -11,7 +11,9 @@ use crate::work::{Check, Work, ensure, fail, largest_bits};
 /// along a word, or of a square root of it.
 pub(crate) struct Blocks {
     matrices: Vec<Matrix<Form>>,
-    denominator: Integer,
+    denominator: Form,
+    /// Of the sign of the denominator, where this does not vanish.
+    sign: Form,
     /// How many letters the product has.
     pub length: usize,
 }
@@ -54,8 +56,11 @@ impl Blocks {
         } else {
             (along(&letters), letters.len())
         };
-        let denominator = (&scheme.denominator * scheme.bound(continuity)?).power(length as u32);
-        Ok(Blocks { matrices: blocks(product), denominator, length })
+        let bound = Polynomial::constant(scheme.bound(continuity)?);
+        let denominator = scheme.denominator.scaled(&bound).power(length as u32);
+        let positive = scheme.is_polynomial() || length.is_multiple_of(2);
+        let sign = if positive { Form::one() } else { scheme.denominator.clone() };
+        Ok(Blocks { matrices: blocks(product), denominator, sign, length })
     }
 
     /// How many there are.
@@ -63,8 +68,9 @@ impl Blocks {
         self.matrices.len()
     }
 
-    /// A polynomial that is positive wherever all eigenvalues of a block are less than the radius in
-    /// modulus: `det(r I - B)`, `det(r I + B)` or `Π_{i<j} (r² - λ_i λ_j)`, up to a positive factor.
+    /// A polynomial that is positive wherever the denominator does not vanish and all eigenvalues of a block are
+    /// less than the radius in modulus: `det(r I - B)`, `det(r I + B)` or `Π_{i<j} (r² - λ_i λ_j)`, up to a factor that
+    /// is positive there, an even power of the denominator.
     pub fn polynomial(
         &self,
         block: usize,
@@ -75,28 +81,31 @@ impl Blocks {
         let Some(matrix) = self.matrices.get(block) else { return fail("there is no such block") };
         ensure(radius >= 1, "a radius below one")?;
         let size = matrix.shape().0;
-        let largest = (0..size * size).map(|k| degree(matrix.entry(k / size, k % size))).max();
+        let entries = || (0..size * size).map(|k| matrix.entry(k / size, k % size));
+        let largest = entries().chain([&self.denominator]).map(degree).max().unwrap_or(0);
         let pairs = eigenvalue == Eigenvalue::Pair;
         ensure(!pairs || size >= 2, "a block with one eigenvalue has no pair")?;
+        // The denominator comes in its power `size`, or in an even one.
+        let sign = if pairs || size.is_multiple_of(2) { Form::one() } else { self.sign.clone() };
         let weight = if pairs { size * (size - 1) } else { size };
-        let small = weight * largest.unwrap_or(0) <= DEGREE;
-        ensure(small, "an inequality of degree above 16")?;
-        let bits = (0..size * size).map(|k| bits(matrix.entry(k / size, k % size))).max();
-        let bits = bits.unwrap_or(0) + self.denominator.bits();
-        let whole = terms(weight * largest.unwrap_or(0));
-        let steps = size.pow(4) * terms(largest.unwrap_or(0)) * whole;
+        let total = weight * largest + degree(&sign);
+        ensure(total <= DEGREE, "an inequality of degree above 16")?;
+        let bits = entries().map(bits).max().unwrap_or(0) + bits(&self.denominator);
+        let whole = terms(total);
+        let steps = size.pow(4) * terms(largest) * whole;
         let minors = if pairs { size.pow(3) * whole * whole } else { 0 };
         work.products(steps + minors, bits * size as u64, bits * size as u64)?;
-        let scale = integer(radius.try_into().unwrap_or(i64::MAX)) * &self.denominator;
+        let radius = Polynomial::constant(integer(radius.try_into().unwrap_or(i64::MAX)));
+        let scale = self.denominator.scaled(&radius);
         // det(λ - M) at λ = scale μ, in powers of μ.
         let characteristic = matrix.characteristic_polynomial();
         let coefficients: Vec<Form> = characteristic
             .coefficients()
             .iter()
             .enumerate()
-            .map(|(k, c)| c.scaled(&Polynomial::constant(scale.power(k as u32))))
+            .map(|(k, c)| c.times(&scale.power(k as u32)))
             .collect();
-        Ok(match eigenvalue {
+        let form = match eigenvalue {
             Eigenvalue::Positive => coefficients.iter().fold(Form::zero(), |s, c| s.plus(c)),
             Eigenvalue::Negative => {
                 let signed = coefficients.iter().enumerate();
@@ -106,7 +115,8 @@ impl Blocks {
                 })
             }
             Eigenvalue::Pair => inner_matrix(&coefficients).determinant(),
-        })
+        };
+        Ok(form.times(&sign))
     }
 }
 
@@ -230,7 +240,8 @@ mod tests {
     fn signs_tell_large_eigenvalues() {
         let entries = [[3, 1, 4], [0, -5, 1], [0, 0, 2]];
         let matrix = Matrix::from_fn(3, 3, |i, j| constant(entries[i][j]));
-        let blocks = Blocks { matrices: vec![matrix], denominator: integer(2), length: 1 };
+        let (denominator, sign) = (constant(2), constant(1));
+        let blocks = Blocks { matrices: vec![matrix], denominator, sign, length: 1 };
         let value = |eigenvalue, radius| {
             let form = blocks.polynomial(0, eigenvalue, radius, &mut Work::new()).unwrap();
             form.coefficient(0).coefficient(0)

@@ -36,7 +36,7 @@ pub struct MapCertificate {
     pub sections: Vec<Section>,
 }
 
-/// A family of masks that are polynomials in two coordinates `x` and `y`.
+/// A family of masks that are polynomials, or rational functions, of two coordinates `x` and `y`.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct PlaneFamily {
@@ -50,8 +50,11 @@ pub struct PlaneFamily {
     pub order: usize,
     /// The exponent of the first coefficient.
     pub lowest: i64,
-    /// The coefficients as polynomials in `x` and `y`.
+    /// The coefficients as polynomials in `x` and `y`, or their numerators.
     pub mask: Vec<Terms>,
+    /// Their common denominator, if it is not one. Where it vanishes there is no mask, and nothing is claimed.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub denominator: Option<Terms>,
     /// What `x` and `y` are, if they are not the parameters themselves.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub chart: Option<Chart>,

@@ -5,10 +5,10 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use refinable_algebra::Integer;
+use refinable_algebra::{Integer, Ring};
 
 use crate::family::places;
-use crate::map::family::PlaneScheme;
+use crate::map::family::{PlaneScheme, Polar};
 use crate::map::form::multisets;
 use crate::map::model::{Ellipsoids, Expansion};
 use crate::map::polygon::Polygon;
@@ -134,7 +134,8 @@ impl Letters {
 
     /// Checks that `Q_to - B Q_from B^T` is positive definite on the polygon for each step.
     ///
-    /// On each triangle with the first corner, `Q` is affine and `B` of the degree `n` of the family, so
+    /// With the numerators `N` and the denominator `d` of `B`, times a number, this is so where `d² Q_to - N Q_from N^T` is.
+    /// On each triangle with the first corner, `Q` is affine and `d` and `N` are of the degree `n` of the family, so
     /// this is a mean of the values of its polar form at the multisets of `2 n + 1` corners.
     fn check_steps(
         &self,
@@ -149,27 +150,28 @@ impl Letters {
         let sets = controls(corners.len(), 2 * n + 1);
         let count = sets.len().saturating_mul(steps.len());
         ensure(count <= MOST_MATRICES, "more than 20000 matrices to check")?;
-        let mut matrices: BTreeMap<Vec<usize>, Vec<Vec<i128>>> = BTreeMap::new();
+        // Only ratios matter: everything is measured by the denominator at the first corner.
+        let unit = scheme.polar(&[], &vec![&corners[0]; n], work)?;
+        ensure(!unit.denominator.is_zero(), "a piece with a pole at its first corner")?;
+        let mut controls: BTreeMap<Vec<usize>, Control> = BTreeMap::new();
         for set in sets {
             work.spend((set.len() as u64 * 500) << set.len())?;
             let splits = splits(&set, n);
             for part in splits.keys().map(|(part, ..)| part) {
-                if !matrices.contains_key(part) {
+                if !controls.contains_key(part) {
                     let points: Vec<_> = part.iter().map(|&i| &corners[i]).collect();
-                    let values = scheme.polar(&scheme.difference, &points, work)?;
-                    matrices.insert(part.clone(), self.matrices(&values)?);
+                    let polar = scheme.polar(&scheme.difference, &points, work)?;
+                    controls.insert(part.clone(), self.control(&polar, &unit)?);
                 }
             }
-            let number: i128 = splits.values().sum();
             for step in steps {
                 let mut sum = Sum::new(self.dimension);
-                for &corner in &set {
-                    // All of them together are `number` times the mean.
-                    sum.add_form(&forms[corner][step.to], number / set.len() as i128);
-                }
                 for ((left, corner, right), times) in &splits {
                     work.spend(500 + 2 * self.dimension.pow(3) as u64)?;
-                    let [left, right] = [left, right].map(|part| &matrices[part][step.letter]);
+                    let [left, right] = [left, right].map(|part| &controls[part]);
+                    let denominators = [left.denominator, right.denominator];
+                    sum.add(denominators, &forms[*corner][step.to], *times);
+                    let [left, right] = [left, right].map(|at| &at.letters[step.letter]);
                     sum.subtract(left, &forms[*corner][step.from], right, *times);
                 }
                 work.spend(20 * self.dimension.pow(3) as u64)?;
@@ -180,19 +182,31 @@ impl Letters {
         Ok(())
     }
 
-    /// The letters from the values of the coefficients, row by row, each entry less than one place off.
-    fn matrices(&self, (values, denominator): &(Vec<Integer>, Integer)) -> Check<Vec<Vec<i128>>> {
-        let denominator = denominator * &self.bound;
-        let fixed = |value: &Integer| -> Check<i128> {
-            let fixed = i128::try_from(&((value << PLACES) / &denominator)).unwrap_or(i128::MAX);
+    /// The letters and the denominator from the values of polar forms, the unit being the denominator of another one.
+    fn control(&self, polar: &Polar, unit: &Polar) -> Check<Control> {
+        let weight = &polar.weight * &unit.denominator;
+        let fixed = |value: &Integer, weight: &Integer| -> Check<i128> {
+            let fixed = ((value * &unit.weight) << PLACES) / weight;
+            let fixed = i128::try_from(&fixed).unwrap_or(i128::MAX);
             let small = fixed.unsigned_abs() < 1 << (PLACES + LARGEST_ENTRY);
             ensure(small, "an entry above 256")?;
             Ok(fixed)
         };
-        let fixed: Vec<i128> = values.iter().map(fixed).collect::<Check<_>>()?;
-        let entry = |place: &Option<usize>| place.map_or(0, |i| fixed[i]);
-        Ok(self.places.iter().map(|matrix| matrix.iter().map(entry).collect()).collect())
+        let denominator = fixed(&polar.denominator, &weight)?;
+        let weight = weight * &self.bound;
+        let values = polar.values.iter().map(|value| fixed(value, &weight));
+        let values: Vec<i128> = values.collect::<Check<_>>()?;
+        let entry = |place: &Option<usize>| place.map_or(0, |i| values[i]);
+        let letter = |matrix: &Vec<Option<usize>>| matrix.iter().map(entry).collect();
+        Ok(Control { denominator, letters: self.places.iter().map(letter).collect() })
     }
+}
+
+/// The denominator and the numerators of the letters, row by row, at a control point: with `PLACES` binary places,
+/// less than one place off.
+struct Control {
+    denominator: i128,
+    letters: Vec<Vec<i128>>,
 }
 
 /// A sum of forms and products, with `FULL_PLACES` binary places.
@@ -208,12 +222,19 @@ impl Sum {
         Sum { dimension, matrix: vec![vec![0; dimension]; dimension], error: 0 }
     }
 
-    fn add_form(&mut self, form: &[i64], times: i128) {
+    /// Adds `times l r Q`. `l r` is rounded first.
+    fn add(&mut self, [left, right]: [i128; 2], form: &[i64], times: i128) {
+        let (scale, shift) = ((left * right) >> PLACES, PLACES - FULL_PLACES);
         for (i, row) in self.matrix.iter_mut().enumerate() {
             for (j, x) in row.iter_mut().enumerate() {
-                *x += (times * i128::from(entry(form, self.dimension, i, j))) << FULL_PLACES;
+                let q = i128::from(entry(form, self.dimension, i, j));
+                *x += times * ((scale * q) >> shift);
             }
         }
+        // Both factors are less than one place off, and rounding down adds one, here and above.
+        let off = ((left.abs() + right.abs()) >> PLACES) + 3;
+        let largest = form.iter().map(|q| i128::from(q.abs())).max().unwrap_or(0);
+        self.error += times * (((off * largest) >> shift) + 2);
     }
 
     /// Subtracts `times L Q R^T`. `L Q` is rounded first.
@@ -310,7 +331,7 @@ mod tests {
         let fixed = |m: [i128; 4]| m.map(|x| x << PLACES);
         let mut sum = Sum::new(2);
         // [[2, 1], [1, 3]] - 2 [[1, 2], [0, 1]] [[5, -1], [-1, 4]] [[3, 0], [1, 1]]^T.
-        sum.add_form(&[2, 1, 3], 1);
+        sum.add([1 << PLACES; 2], &[2, 1, 3], 1);
         sum.subtract(&fixed([1, 2, 0, 1]), &[5, -1, 4], &fixed([3, 0, 1, 1]), 2);
         let expected = [[2 - 18, 1 - 20], [1 + 6, 3 - 6]];
         for (row, expected) in sum.matrix.iter().zip(expected) {

@@ -7,7 +7,7 @@ use refinable_algebra::{Integer, Ordered, Rational};
 
 use crate::error::{Invalid, Part};
 use crate::family::Scheme;
-use crate::map::family::{PlaneScheme, check_section, parts};
+use crate::map::family::{Polar, PlaneScheme, check_section, parts};
 use crate::map::form::{Form, is_nowhere_positive};
 use crate::map::inequality::{Blocks, polynomial};
 use crate::map::model::{
@@ -27,7 +27,7 @@ use crate::work::{Check, Reason, Work, ensure, fail, rational_bits};
 pub enum CellVerdict {
     /// C^n holds everywhere on it.
     Proved,
-    /// C^n fails on it: everywhere, or wherever the shifts are stable.
+    /// C^n fails on it: everywhere, or wherever the shifts are stable; at poles there is no scheme.
     Refuted {
         /// Whether stable shifts are needed.
         if_stable: bool,
@@ -73,18 +73,24 @@ impl MapChecker {
         Ok(MapChecker { scheme, continuity, lower, letters })
     }
 
-    /// Whether `‖c_n‖ < 1` on the closed polygon.
+    /// Whether `‖c_n‖ < 1` on the closed polygon: the absolute values of numerators of a row sum to less than that
+    /// of the denominator, which has one sign at all control points, so that it has no zero on the polygon.
     pub fn has_small_norm(&self, polygon: &Polygon) -> bool {
         let controls =
             |lower: &Vec<Form>| self.scheme.controls(lower, polygon, &mut Work::new()).ok();
         let m = self.scheme.arity;
-        let small = |(values, denominator): &(Vec<Integer>, Integer)| {
+        let small = |Polar { values, denominator, .. }: &Polar| {
             (0..m).all(|j| {
                 let row = values.iter().skip(j).step_by(m).map(Ordered::absolute);
-                row.sum::<Integer>() < *denominator
+                row.sum::<Integer>() < denominator.absolute()
             })
         };
-        self.lower.as_ref().and_then(controls).is_some_and(|all| all.iter().all(small))
+        let is_positive = |polar: &Polar| polar.denominator.compare_to_zero().is_gt();
+        let one_sign = |all: &[Polar]| {
+            all.windows(2).all(|pair| is_positive(&pair[0]) == is_positive(&pair[1]))
+        };
+        let controls = self.lower.as_ref().and_then(controls);
+        controls.is_some_and(|all| one_sign(&all) && all.iter().all(small))
     }
 
     /// Whether the ellipsoids prove C^n on the closed polygon.

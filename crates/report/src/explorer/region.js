@@ -165,6 +165,10 @@ function verdictsAt(parameters) {
       ...verdictOnLine(range, parameters[0]),
     }));
   }
+  if (isZero(evaluate(family.denominator, parameters))) {
+    const because = "the denominator of the mask vanishes here";
+    return maps.map(({ continuity }) => ({ continuity, verdict: "undefined", because }));
+  }
   const point = toPlane(parameters);
   let stable;
   const isStable = () => (stable ??= hasStableShifts(parameters));

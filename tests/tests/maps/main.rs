@@ -1,6 +1,8 @@
 //! Maps over two parameters: against single values, against ranges along curves, against the paper's
 //! conditions; and that no map holds when it is changed.
 
+mod poles;
+
 use refinable_algebra::{
     Parameter, ParameterFraction, ParameterPolynomial, Rational, Ring, decimal, rational,
 };
@@ -266,6 +268,14 @@ fn changed_maps_do_not_hold() {
     }
     let far = Rational::from_i64(2).power(600);
     fails(&|m| m.window[1][1] = Number(far.clone()));
+    // The node that is one too many is seen before the node that nothing leads to.
+    let with_nodes = |count| {
+        let mut changed = map.clone();
+        changed.nodes.resize(count, Node::Undecided);
+        verify_map(&changed).unwrap_err().to_string()
+    };
+    assert!(with_nodes(200_000).contains("a node that is not reached"));
+    assert!(with_nodes(200_001).contains("more than 200000 nodes"));
     // Bounded effort, and no panic, whatever is asked for.
     fails(&|m| m.continuity = usize::MAX);
     let mut absurd = map.clone();
