@@ -146,9 +146,10 @@ impl Plane {
             order,
             lowest: self.lowest,
             mask: self.terms(&self.parts),
-            denominator: self.denominator.as_ref().map(|terms| {
-                terms.iter().map(|((i, j), c)| (Number(c.clone()), *i, *j)).collect()
-            }),
+            denominator: self
+                .denominator
+                .as_ref()
+                .map(|terms| terms.iter().map(|((i, j), c)| (Number(c.clone()), *i, *j)).collect()),
             chart: self.factor.as_ref().map(|factor| Chart {
                 factor: factor.coefficients().iter().cloned().map(Number).collect(),
                 mask: self.terms(&self.in_parameters),

@@ -19,9 +19,8 @@ fn wedges_on_both_sides_of_a_pole() {
     let one = scheme(&rules("t"));
     let t = Parameter::new("t");
     for n in 0..=1 {
-        let range =
-            continuity_range("t", one.mask(), &t, n, &Sharpness::default()).unwrap();
-        let [interval] = range.proved.intervals() else { panic!("one interval") };
+        let range = continuity_range("t", one.mask(), &t, n, &Sharpness::default()).unwrap();
+        let [interval] = &range.proved.intervals()[..] else { panic!("one interval") };
         let end = |bound: &refinable_reals::Bound| bound.number().unwrap().as_rational().cloned();
         let (low, high) = (end(&interval.lower).unwrap(), end(&interval.upper).unwrap());
         let map = square(&rules("a/b"), n);
@@ -35,7 +34,10 @@ fn wedges_on_both_sides_of_a_pole() {
             }
             decided[usize::from(!range.proved.contains_rational(&weight))] += 1;
         }
-        assert!(decided[0] > 20 && decided[1] > 200 && decided[0] + decided[1] > 480, "{decided:?}");
+        assert!(
+            decided[0] > 20 && decided[1] > 200 && decided[0] + decided[1] > 480,
+            "{decided:?}"
+        );
         let width = high - low;
         let [proved, ..] = map.areas();
         assert!(proved.upper <= width && proved.lower > &width * rational(98, 100), "{n}");
@@ -81,7 +83,8 @@ fn changed_denominators_are_found() {
         assert!(error.contains(because), "{error}");
     };
     let term = |c, i, j| (Number(rational(c, 1)), i, j);
-    let with = |terms: Terms| move |m: &mut MapCertificate| m.family.denominator = Some(terms.clone());
+    let with =
+        |terms: Terms| move |m: &mut MapCertificate| m.family.denominator = Some(terms.clone());
     fails(&with(vec![term(1, 1, 0)]), "a stencil does not sum to one");
     fails(&with(vec![term(-1, 0, 1)]), "a stencil does not sum to one");
     fails(&with(vec![]), "a denominator that is a constant");
@@ -89,7 +92,10 @@ fn changed_denominators_are_found() {
     fails(&with(vec![term(1, 4, 3)]), "a polynomial of degree above 6");
     fails(&|m| m.family.denominator = None, "a stencil does not sum to one");
     let chart = map_of("a3", 1, [[(0, 1), (1, 4)], [(-1, 8), (1, 4)]]).certificate;
-    fails(&|m| m.family.chart = chart.family.chart.clone(), "a chart of a family with a denominator");
+    fails(
+        &|m| m.family.chart = chart.family.chart.clone(),
+        "a chart of a family with a denominator",
+    );
     let line = map_of("a3", 3, [[(0, 1), (1, 4)], [(-1, 8), (1, 4)]]).certificate;
     let mut beyond = square(&rules("a/b"), 3).certificate;
     beyond.sections = line.sections;

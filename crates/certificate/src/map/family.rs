@@ -56,7 +56,7 @@ impl PlaneScheme {
         check_terms(&denominator)?;
         limits::denominators(denominator.iter().map(|(c, ..)| c)).or_else(fail)?;
         let mut symbol = cleared(&[&family.mask[..], &[denominator]].concat());
-        let denominator = symbol.pop().unwrap_or_default();
+        let denominator = symbol.pop().unwrap_or_else(Form::zero);
         let constant = degree(&denominator) == 0;
         ensure(!constant || family.denominator.is_none(), "a denominator that is a constant")?;
         for j in 0..m {

@@ -7,7 +7,7 @@ use refinable_algebra::{Integer, Ordered, Rational};
 
 use crate::error::{Invalid, Part};
 use crate::family::Scheme;
-use crate::map::family::{Polar, PlaneScheme, check_section, parts};
+use crate::map::family::{PlaneScheme, Polar, check_section, parts};
 use crate::map::form::{Form, is_nowhere_positive};
 use crate::map::inequality::{Blocks, polynomial};
 use crate::map::model::{
