@@ -1,11 +1,9 @@
-//! Certificates are unreadable, invalid or valid, without a panic and soon.
+//! Certificates of both kinds are unreadable, invalid or valid, and what they state can be said, without a panic and soon.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use refinable_certificate::{Certificate, verify};
+use refinable_cli::verdict_on;
 
 fuzz_target!(|bytes: &[u8]| {
-    if let Ok(certificate) = Certificate::read(bytes) {
-        let _ = verify(&certificate);
-    }
+    let _ = verdict_on(bytes);
 });

@@ -38,7 +38,7 @@ pub enum Part {
         index: usize,
         /// Its kind.
         kind: &'static str,
-        /// For a lemma inside an `at`: its place there and its kind.
+        /// For a lemma inside an `at`, `reduced` or `convergence`: its place there and its kind.
         inside: Option<(usize, &'static str)>,
     },
     /// The conclusion.

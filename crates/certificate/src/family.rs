@@ -5,6 +5,7 @@ use refinable_algebra::{
 };
 
 use crate::gcd::primitive;
+use crate::limits;
 use crate::model::{Coefficients, Curve, Family};
 use crate::work::{Check, Work, ensure, fail, largest_bits, polynomial_bits, rational_bits};
 
@@ -279,15 +280,7 @@ impl Letters {
 
     /// The letters of a word.
     pub fn word(&self, word: &str) -> Check<Vec<usize>> {
-        ensure(!word.is_empty(), "a word is empty")?;
-        let letter = |c: char| {
-            let digit = c.to_digit(10).map(|d| d as usize);
-            digit.filter(|&d| d < self.pairs.len())
-        };
-        match word.chars().map(letter).collect() {
-            Some(letters) => Ok(letters),
-            None => fail("a word has a letter that is no matrix"),
-        }
+        letters(word, self.pairs.len(), limits::WORD)
     }
 
     /// `(N, n)` with `B_ε(x) = N / n` for a letter, `n` the same for all.
@@ -308,6 +301,17 @@ pub(crate) fn matrices<R: Ring>(c: &[R], m: usize) -> Vec<Vec<R>> {
     let all = places(c.len(), m).into_iter();
     let entry = |place: Option<usize>| place.map_or_else(R::zero, |i| c[i].clone());
     all.map(|places| places.into_iter().map(entry).collect()).collect()
+}
+
+/// The letters of a word of digits, each below `count`.
+pub(crate) fn letters(word: &str, count: usize, longest: usize) -> Check<Vec<usize>> {
+    ensure(!word.is_empty(), "a word is empty")?;
+    ensure(word.len() <= longest, "a word is too long")?;
+    let letter = |c: char| c.to_digit(10).map(|d| d as usize).filter(|&d| d < count);
+    match word.chars().map(letter).collect() {
+        Some(letters) => Ok(letters),
+        None => fail("a word has a letter that is no matrix"),
+    }
 }
 
 /// The index of `c` of each entry of the matrices, row by row, for each `ε`; `None` for zero.

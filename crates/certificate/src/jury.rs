@@ -134,13 +134,14 @@ fn characteristic_value(
     Ok(Polynomial::new(coefficients))
 }
 
-/// `X - Y` row by row with `X[i][j] = a_{d-j+i}`, `Y[i][j] = a_{d-2-i-j}`, of order `d-1`.
-fn inner_matrix(a: &[Polynomial<Integer>]) -> Vec<Polynomial<Integer>> {
+/// `X - Y` row by row with `X[i][j] = a_{d-j+i}`, `Y[i][j] = a_{d-2-i-j}`, of order `d-1`: the determinant is
+/// `a_d^(d-1) Π_{i<j} (1 - λ_i λ_j)` for the roots of `Σ a_k λ^k` (Jury 1974).
+pub(crate) fn inner_matrix<R: Ring>(a: &[R]) -> Vec<R> {
     let d = a.len() - 1;
     let size = d - 1;
     let entry = |k: usize| {
         let (i, j) = (k / size, k % size);
-        let upper = if j >= i { a[d - (j - i)].clone() } else { Polynomial::zero() };
+        let upper = if j >= i { a[d - (j - i)].clone() } else { R::zero() };
         match (d - 2).checked_sub(i + j) {
             Some(k) => upper.minus(&a[k]),
             None => upper,

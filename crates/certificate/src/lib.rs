@@ -57,6 +57,7 @@ mod word;
 mod work;
 
 pub use error::{Invalid, Part, Unreadable};
+pub use limits::FILE as LARGEST_FILE;
 pub use map::*;
 pub use model::*;
 pub use number::Number;

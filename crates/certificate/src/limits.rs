@@ -8,8 +8,8 @@ use crate::model::{
 };
 use crate::number::Number;
 
-/// The largest file in bytes.
-pub(crate) const FILE: usize = 64 << 20;
+/// The largest file that is read, in bytes: 64 MiB.
+pub const FILE: usize = 64 << 20;
 /// The largest number of JSON values in a file.
 pub(crate) const VALUES: usize = 10_000_000;
 /// The deepest nesting of arrays and objects.
@@ -19,7 +19,8 @@ pub(crate) const TOKEN: usize = 4003;
 
 const COEFFICIENTS: usize = 1000;
 const DIMENSION: usize = 40;
-const WORD: usize = 32;
+/// The longest word.
+pub(crate) const WORD: usize = 32;
 const LEVEL: u32 = 12;
 const DEGREE: usize = 1200;
 const VERTICES: usize = 20_000;

@@ -16,6 +16,8 @@ type Form = Vec<Integer>;
 
 /// How often an interval is halved.
 const DEPTH: u32 = 40;
+/// The most numbers that the forms of a level may have together: half a gigabyte.
+const NUMBERS: usize = 16_000_000;
 
 /// Checks that the norm is less than one for all parameters in `[from, to]`.
 pub(crate) fn check(
@@ -43,7 +45,9 @@ pub(crate) fn check(
     };
     let mirrored = symbol.is_symmetric();
     let power = power(&forms, scheme.arity, level, denominator.bits(), work)?;
-    check_rows(&power, scheme.arity.pow(level), mirrored, &bounds, work)
+    // Beyond the number of coefficients it does not matter how far apart those of a row are.
+    let stride = scheme.arity.checked_pow(level).unwrap_or(usize::MAX);
+    check_rows(&power, stride, mirrored, &bounds, work)
 }
 
 /// `Π_{l<L} c(z^(m^l))`.
@@ -51,11 +55,12 @@ fn power(c: &[Form], m: usize, level: u32, bits: u64, work: &mut Work) -> Check<
     let mut power = c.to_vec();
     for step in 1..level {
         // c^(l+1)(z) = c^l(z^m) c(z)
-        let length = (power.len() - 1).checked_mul(m).and_then(|n| n.checked_add(c.len()));
-        let Some(length) = length else { return fail("could not be checked within the limits") };
+        let length = (power.len() - 1).saturating_mul(m).saturating_add(c.len());
+        let width = power[0].len() + c[0].len() - 1;
+        let small = length.saturating_mul(width) <= NUMBERS;
+        ensure(small, "could not be checked within the limits")?;
         let products = (step as usize + 1) * 2 * (length / m + 1).saturating_mul(c.len());
         work.products(products, bits * u64::from(step), bits)?;
-        let width = power[0].len() + c[0].len() - 1;
         let mut next = vec![vec![Integer::zero(); width]; length];
         for (i, a) in power.iter().enumerate() {
             for (j, b) in c.iter().enumerate() {

@@ -3,8 +3,9 @@
 use std::cmp::Ordering;
 use std::sync::Arc;
 
-use refinable_algebra::{Integer, Ordered, Polynomial, Rational, floor_half_power, integer};
+use refinable_algebra::{Integer, Ordered, Polynomial, Rational, Ring, floor_half_power, integer};
 
+use crate::determinant;
 use crate::gcd::greatest_common_divisor;
 use crate::model::{Coefficients, End};
 use crate::order::{equal, less};
@@ -232,13 +233,8 @@ impl Root {
 
 /// `(q s)^n p(x)` for `x` of denominator `q`.
 fn homogeneous(polynomial: &Polynomial<Integer>, x: &Rational, s: &Integer) -> Integer {
-    let (p, q) = (x.numer() * s, x.denom() * s);
-    let (mut value, mut power) = (integer(0), integer(1));
-    for c in polynomial.coefficients().iter().rev() {
-        value = value * &p + c * &power;
-        power *= &q;
-    }
-    value
+    let degree = polynomial.degree().unwrap_or(0);
+    determinant::homogeneous(polynomial, x, degree) * s.power(degree as u32)
 }
 
 /// A rational number strictly between two numbers; `None` is infinite.

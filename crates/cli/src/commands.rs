@@ -1,21 +1,20 @@
 //! One function for each command.
 
-use std::fs;
 use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Duration;
 
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::ProgressBar;
 use refinable_algebra::{parse_rational, rational};
 use refinable_analysis::{Budget, Fineness, Map, Options, Sharpness, continuity_at, regularity};
-use refinable_certificate::{Certificate, MAP_FORMAT, MapCertificate, verify, verify_map};
+use refinable_certificate::Certificate;
 use refinable_papers::{Claims, Paper, Table};
 use refinable_report::{
     Audit, CERTIFICATES, CertificateStore, Checked, Effort, Explorer, ExplorerOptions, FamilyMaps,
     HolderMap, Language, MapStore, Maps, Quantity, Scan, Site, Sweep, analyze, any_range_table,
-    check, check_json, compare, degree_table, expected_file, export, norm_table, proof_text,
-    range_table, regularity_table, report_site, rule_picture, schemes, sharp_range, show,
+    check, check_json, compare, degree_table, expected_file, export, norm_table, range_table,
+    regularity_table, report_site, rule_picture, schemes, sharp_range, show,
 };
 use refinable_scheme::{Diagnostic, Scheme, SchemeFile, Substitution};
 
@@ -25,7 +24,7 @@ use crate::arguments::{
 };
 use crate::failure::Failure;
 use crate::files::Image;
-use crate::{drawing, files, manual, output, scanning};
+use crate::{drawing, files, manual, output, scanning, verifying};
 
 /// Runs the command that was typed.
 ///
@@ -156,7 +155,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
             files::expect_directory(dir, true)?;
             files::write_site(dir, &manual::pages())?;
         }
-        Command::Verify { files } => return verify_files(files),
+        Command::Verify { files } => return verifying::run(files),
         Command::Norm { scheme, continuity, level, format } => {
             let scheme = resolve(scheme)?;
             let document =
@@ -213,11 +212,7 @@ const SCHEME_FILE: &str = ".toml";
 
 /// The scheme of a file, and its text for errors that point into it.
 fn read_scheme(path: &Path) -> Result<(SchemeFile, String), Failure> {
-    let bytes = files::read_limited(path)?;
-    let text = String::from_utf8(bytes).map_err(|_| {
-        let hint = "docs/scheme-files.md describes the format";
-        Failure::new("file", format!("{}: this is no text", path.display()), hint)
-    })?;
+    let text = files::read_text(path, "docs/scheme-files.md describes the format")?;
     match SchemeFile::parse(&text) {
         Ok(file) => Ok((file, text)),
         Err(error) => Err(error.in_file(&path.display().to_string(), &text).into()),
@@ -341,39 +336,6 @@ fn certify(scheme: &Scheme, continuity: Option<u16>) -> Result<Certificate, Fail
     Ok(sharp_range(scheme, continuity, &sharpness)?.certificate)
 }
 
-/// Checks one file after the other; the worst of them decides the exit code.
-fn verify_files(paths: &[PathBuf]) -> Result<ExitCode, Failure> {
-    let mut worst = 0;
-    for path in paths {
-        let bytes = files::read_limited(path)?;
-        let (code, verdict) = verify_bytes(&bytes);
-        worst = worst.max(code);
-        output::print_text(&format!("{}: {verdict}\n", path.display()))?;
-    }
-    Ok(ExitCode::from(worst))
-}
-
-/// The exit code and the verdict on one certificate, of either kind.
-fn verify_bytes(bytes: &[u8]) -> (u8, String) {
-    let is_map = bytes.windows(MAP_FORMAT.len()).any(|part| part == MAP_FORMAT.as_bytes());
-    let checked = if is_map {
-        MapCertificate::read(bytes).map(|map| {
-            let statement = format!("map of C^{} of {}", map.continuity, map.family.name);
-            verify_map(&map).map(|cells| format!("{statement}; {} pieces", cells.len()))
-        })
-    } else {
-        Certificate::read(bytes).map(|certificate| {
-            let statement = refinable_report::statement(&certificate);
-            verify(&certificate).map(|_| format!("{statement}; {}", proof_text(&certificate)))
-        })
-    };
-    match checked {
-        Ok(Ok(statement)) => (0, format!("valid: {statement}")),
-        Ok(Err(invalid)) => (1, format!("invalid: {invalid}")),
-        Err(unreadable) => (2, format!("unreadable: {unreadable}")),
-    }
-}
-
 fn derive(arguments: &SchemeArguments, format: FormatArgument) -> Result<(), Failure> {
     if format.format != Format::Text {
         let hint = "leave out --format, or leave out --derive";
@@ -391,8 +353,7 @@ fn derive(arguments: &SchemeArguments, format: FormatArgument) -> Result<(), Fai
 }
 
 fn read_claims(path: &Path) -> Result<Vec<Table>, Failure> {
-    let text = fs::read_to_string(path).map_err(|error| Failure::file(path, &error))?;
-    Ok(Claims::parse(&text)?)
+    Ok(Claims::parse(&files::read_text(path, "docs/claims.md describes the format")?)?)
 }
 
 fn select(all: Vec<Table>, ids: &[String]) -> Result<Vec<Table>, Failure> {
@@ -419,21 +380,11 @@ fn run_audit(
     known: CertificateStore,
 ) -> Result<Audit, Failure> {
     let cells: usize = tables.iter().map(|table| table.cells.len()).sum();
-    let bar = progress_bar(cells, "cells");
+    let bar = output::progress_bar(cells as u64, "cells");
     let effort = Effort { level: arguments.level, budget: Budget::default() };
     let audit = Audit::new(tables, effort, known, &|| bar.inc(1));
     bar.finish_and_clear();
     Ok(audit?)
-}
-
-/// A progress bar on a terminal, nothing elsewhere.
-fn progress_bar(count: usize, of: &str) -> ProgressBar {
-    if !std::io::stderr().is_terminal() {
-        return ProgressBar::hidden();
-    }
-    let style = format!("{{bar:40}} {{pos}}/{{len}} {of}, {{eta}} left");
-    let style = ProgressStyle::with_template(&style).expect("the template is well formed");
-    ProgressBar::new(count as u64).with_style(style)
 }
 
 /// What is being worked on, on a terminal; nothing elsewhere.
@@ -460,7 +411,7 @@ fn report(action: &ReportAction) -> Result<ExitCode, Failure> {
         }
     }
     let audited = run_audit(&paper.tables, audit, known)?;
-    let bar = progress_bar(FamilyMaps::count()?, "maps");
+    let bar = output::progress_bar(FamilyMaps::count()? as u64, "maps");
     let families = FamilyMaps::all(&paper.tables, &maps, &|| bar.inc(1));
     bar.finish_and_clear();
     let site: Site = report_site(&paper, &audited, &families?, measured.as_ref())?;

@@ -19,7 +19,14 @@ impl Failure {
 
     /// A file or directory that cannot be read or written.
     pub fn file(path: &Path, error: &io::Error) -> Self {
-        Failure(Diagnostic::new("file", format!("{}: {error}", path.display())))
+        let diagnostic = Diagnostic::new("file", format!("{}: {error}", path.display()));
+        let hint = match error.kind() {
+            io::ErrorKind::NotFound => "relative paths begin where the program is run",
+            io::ErrorKind::PermissionDenied => "choose another place, or ask who owns this one",
+            io::ErrorKind::StorageFull => "make room, or choose another disk",
+            _ => return Failure(diagnostic),
+        };
+        Failure(diagnostic.with_hint(hint))
     }
 }
 

@@ -5,7 +5,7 @@ use std::fs;
 use std::io::{self, BufWriter, Read, Write};
 use std::path::{Path, PathBuf};
 
-use refinable_certificate::{Certificate, MapCertificate};
+use refinable_certificate::{Certificate, LARGEST_FILE, MapCertificate};
 use refinable_report::{CertificateStore, MapStore, Measurements, Site, png};
 use tempfile::NamedTempFile;
 
@@ -111,7 +111,10 @@ pub fn differences(dir: &Path, site: &Site) -> Result<Vec<String>, Failure> {
         match fs::read_to_string(dir.join(name)) {
             Ok(found) if found == *text => {}
             Ok(found) => lines.push(first_difference(name, &found, text)),
-            Err(_) => lines.push(format!("{name}: missing")),
+            Err(error) if error.kind() == io::ErrorKind::NotFound => {
+                lines.push(format!("{name}: missing"));
+            }
+            Err(error) => lines.push(format!("{name}: {error}")),
         }
     }
     let folders: BTreeSet<&str> =
@@ -141,11 +144,10 @@ fn first_difference(name: &str, found: &str, expected: &str) -> String {
     let pairs = found.lines().zip(expected.lines()).enumerate();
     match pairs.into_iter().find(|(_, (a, b))| a != b) {
         Some((k, (a, b))) => format!("{name}: line {}\n  - {a}\n  + {b}", k + 1),
-        None => format!(
-            "{name}: {} lines, should be {}",
-            found.lines().count(),
-            expected.lines().count()
-        ),
+        None => match [found, expected].map(|text| text.lines().count()) {
+            [a, b] if a == b => format!("{name}: the ends of lines differ"),
+            [a, b] => format!("{name}: {a} lines, should be {b}"),
+        },
     }
 }
 
@@ -223,13 +225,24 @@ impl Image {
 pub fn read_limited(path: &Path) -> Result<Vec<u8>, Failure> {
     let file = fs::File::open(path).map_err(|error| Failure::file(path, &error))?;
     let mut bytes = Vec::new();
-    let most = LARGEST_CERTIFICATE + 1;
+    // One byte more is enough to see that a file is too large.
+    let most = LARGEST_FILE as u64 + 1;
     file.take(most).read_to_end(&mut bytes).map_err(|error| Failure::file(path, &error))?;
     Ok(bytes)
 }
 
-/// One byte more is enough for the checker to see that a file is too large.
-const LARGEST_CERTIFICATE: u64 = 64 << 20;
+/// The text of a file that may come from a stranger.
+///
+/// # Errors
+/// A file that cannot be read, is too large or no text.
+pub fn read_text(path: &Path, hint: &str) -> Result<String, Failure> {
+    let bytes = read_limited(path)?;
+    let refused = |what: &str| Failure::new("file", format!("{}: {what}", path.display()), hint);
+    if bytes.len() > LARGEST_FILE {
+        return Err(refused("a file of more than 64 MiB"));
+    }
+    String::from_utf8(bytes).map_err(|_| refused("this is no text"))
+}
 
 /// What a report directory says about speed; nothing if it has no folder for it.
 ///

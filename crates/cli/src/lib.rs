@@ -1,7 +1,7 @@
 //! The command line: arguments, terminal tables, files and exit codes; no mathematics.
 //!
-//! The program is [`main()`]. It is a library so that fuzzing can read words as the program does, without a
-//! process for each: [`examine`].
+//! The program is [`main()`]. It is a library so that fuzzing can read words and certificates as the program does,
+//! without a process for each: [`examine`], [`verdict_on`].
 
 mod arguments;
 mod commands;
@@ -12,6 +12,7 @@ mod files;
 mod manual;
 mod output;
 mod scanning;
+mod verifying;
 
 use std::process::ExitCode;
 
@@ -19,6 +20,7 @@ use clap::Parser;
 
 use crate::arguments::Arguments;
 pub use crate::examining::examine;
+pub use crate::verifying::verdict_on;
 
 /// Runs the command with which the process was called. Exit codes: 0 done, holds, agrees; 1 differs; 2 bad
 /// usage or input.

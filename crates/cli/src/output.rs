@@ -1,10 +1,11 @@
 //! Documents on standard output.
 
-use std::io::{self, Write};
+use std::io::{self, IsTerminal, Write};
 use std::iter;
 
 use comfy_table::presets::UTF8_HORIZONTAL_ONLY;
 use comfy_table::{ContentArrangement, LineStyle, Table, TableStyle};
+use indicatif::{ProgressBar, ProgressStyle};
 use refinable_report::{Cell, Document, Grid};
 
 use crate::arguments::Format;
@@ -80,4 +81,14 @@ fn grid(grid: &Grid) -> String {
         text.push_str(&format!("{remark}\n"));
     }
     text
+}
+
+/// A progress bar on a terminal, nothing elsewhere.
+pub fn progress_bar(count: u64, of: &str) -> ProgressBar {
+    if !io::stderr().is_terminal() {
+        return ProgressBar::hidden();
+    }
+    let style = format!("{{bar:40}} {{pos}}/{{len}} {of}, {{per_sec}}, {{eta}} left");
+    let style = ProgressStyle::with_template(&style).expect("the template is well formed");
+    ProgressBar::new(count).with_style(style)
 }

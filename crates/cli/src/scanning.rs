@@ -4,10 +4,10 @@
 //! part becomes the file. Whatever was written of a last row that is not whole is cut off.
 
 use std::fs::{self, File, OpenOptions};
-use std::io::{BufRead, BufReader, IsTerminal, Seek, SeekFrom, Write};
+use std::io::{BufRead, BufReader, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::ProgressBar;
 use refinable_report::Scan;
 
 use crate::failure::Failure;
@@ -27,7 +27,7 @@ pub fn write(
     json: bool,
     resume: bool,
 ) -> Result<(), Failure> {
-    let bar = progress(scan.count());
+    let bar = output::progress_bar(scan.count(), "points");
     let Some(path) = path else {
         if !json {
             output::print_text(&scan.header())?;
@@ -71,15 +71,6 @@ fn rows(
     }
     bar.finish_and_clear();
     Ok(())
-}
-
-fn progress(count: u64) -> ProgressBar {
-    if !std::io::stderr().is_terminal() {
-        return ProgressBar::hidden();
-    }
-    let style = "{bar:40} {pos}/{len} points, {per_sec}, {eta} left";
-    let style = ProgressStyle::with_template(style).expect("the template is well formed");
-    ProgressBar::new(count).with_style(style)
 }
 
 fn beside(path: &Path, extension: &str) -> PathBuf {

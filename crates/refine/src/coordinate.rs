@@ -20,7 +20,8 @@ pub trait Coordinate: Clone + PartialEq + Debug + Send + Sync + 'static {
     fn add_product(&mut self, weight: &Self, x: &Self);
     /// Whether it is a number; sums of floats may be infinite, or not even that.
     fn is_finite(&self) -> bool;
-    /// Reads `7`, `-0.05`, `.5`, `1.`, `+1/3` or `2.5e-3`; `None` for anything else, infinities included.
+    /// Reads `7`, `-0.05`, `.5`, `1.`, `+1/3` or `2.5e-3`; `None` for anything else, infinities included, and for a
+    /// fraction, or any number that is kept exactly, of more than 2000 characters.
     fn parse(text: &str) -> Option<Self>;
     /// As text that [`parse`](Self::parse) reads back without a loss.
     fn text(&self) -> String;
@@ -120,9 +121,13 @@ impl Coordinate for Rational {
     }
 }
 
-/// The text without a plus before it; `None` for two signs.
+/// The longest number that is read exactly; time grows with the square of its length.
+pub(crate) const LONGEST: usize = 2000;
+
+/// The text without a plus before it; `None` for two signs, and for a text that is too long.
 fn unsigned_plus(text: &str) -> Option<&str> {
     match text.strip_prefix('+') {
+        _ if text.len() > LONGEST => None,
         Some(rest) => (!rest.starts_with(['+', '-'])).then_some(rest),
         None => Some(text),
     }

@@ -79,8 +79,9 @@ impl<T: Coordinate> Interproximate<T> {
         };
         let class = |class: usize| {
             let stencils = || members.iter().map(move |member| &member.stencils()[class]);
-            let first = stencils().map(Stencil::first).min().unwrap_or(0);
-            let end = stencils().map(Stencil::end).max().unwrap_or(0);
+            // The point that a new one stems from is needed for its tag.
+            let first = stencils().map(Stencil::first).fold(0, i64::min);
+            let end = stencils().map(Stencil::end).fold(1, i64::max);
             Stencil { first, weights: vec![Rational::one(); (end - first) as usize] }
         };
         let stencils = (0..member.arity()).map(class).collect();

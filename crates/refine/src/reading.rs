@@ -9,7 +9,7 @@
 use refinable_scheme::Diagnostic;
 use serde_json::Value;
 
-use crate::coordinate::Coordinate;
+use crate::coordinate::{Coordinate, LONGEST};
 use crate::polygon::LARGEST_DIMENSION;
 
 /// Points as they were written down: all of them have as many coordinates.
@@ -149,6 +149,9 @@ fn no_number(field: &str, place: &str) -> Diagnostic {
     }
     let message = match field {
         "" => format!("{place}: a number is missing"),
+        _ if field.len() > LONGEST => {
+            format!("{place}: `{shown}` has more than {LONGEST} characters")
+        }
         _ => format!("{place}: `{shown}` is no number"),
     };
     Diagnostic::new("points", message).with_hint("numbers are written 7, -0.05, 2.5e-3 or 1/3")
@@ -265,6 +268,7 @@ mod tests {
     #[test]
     fn what_is_wrong_is_told_with_its_line() {
         let wide = "1,".repeat(1_000_000) + "1";
+        let long = format!("1/{}", "7".repeat(2000));
         for (text, expected) in [
             ("", "there is no point"),
             ("\r\n \n", "there is no point"),
@@ -278,6 +282,7 @@ mod tests {
             ("1,2\n1e999,2\n", "line 2: `1e999` is no number"),
             ("1,2\n0x10,2\n", "line 2: `0x10` is no number"),
             ("1,2\n1/0,2\n", "line 2: `1/0` is no number"),
+            (&long, "line 1: `1/7777777777777777777777…` has more than 2000 characters"),
             (
                 "1,2\n3,abcdefghijklmnopqrstuvwxyz\n",
                 "line 2: `abcdefghijklmnopqrstuvwx…` is no number",

@@ -417,6 +417,26 @@ fn members_of_a3() -> Vec<Weights<Rational>> {
     .to_vec()
 }
 
+/// New points far away from those that they stem from: with one member everywhere it is the pure scheme.
+#[test]
+fn interproximate_refinement_of_shifted_masks() {
+    for text in [
+        "1/16*[-1, 0, 9, 16, 9, 0, -1] @ 17",
+        "1/16*[-1, 0, 9, 16, 9, 0, -1] @ -23",
+        "1/4*[1, 3, 3, 1] @ 7",
+    ] {
+        let rule = weights::<Rational>(text, 2);
+        let scheme = Interproximate::new(vec![rule.clone()], 0).unwrap();
+        let values: Vec<Rational> = (0..9).map(|i| rational((i * i) % 7, 2)).collect();
+        for closed in [true, false] {
+            let polygon = Polygon::new(1, values.clone(), closed).unwrap();
+            let tensions = Tensions::of_vertices(vec![0; 9]);
+            let found = scheme.refine(&polygon, &tensions, 3, Ends::Reflect).unwrap();
+            assert_eq!(found, refine(&polygon, &[&rule; 3], Ends::Reflect).unwrap(), "{text}");
+        }
+    }
+}
+
 /// Vertices and edges that take different members, kept and not, over several levels.
 #[test]
 fn interproximate_refinement_is_its_definition() {

@@ -11,7 +11,7 @@ use crate::grid::{Cell, Document, Grid};
 use crate::latex;
 use crate::number::{approximation, intervals, number};
 
-/// The unproved on C^n over the whole line of the one free parameter, by norms up to `level`.
+/// Where C^n is proved over the whole line of the one free parameter, by norms up to `level`.
 ///
 /// # Errors
 /// Code `parameters` unless exactly one parameter is free; `budget` for an absurd level.

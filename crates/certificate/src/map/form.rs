@@ -31,7 +31,7 @@ pub(crate) fn degree(form: &Form) -> usize {
 }
 
 /// The terms `c x^i y^j`.
-fn terms(form: &Form) -> impl Iterator<Item = (usize, usize, &Integer)> {
+pub(crate) fn terms(form: &Form) -> impl Iterator<Item = (usize, usize, &Integer)> {
     form.coefficients().iter().enumerate().flat_map(|(j, row)| {
         let row = row.coefficients().iter().enumerate();
         row.filter(|(_, c)| !c.is_zero()).map(move |(i, c)| (i, j, c))

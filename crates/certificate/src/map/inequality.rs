@@ -2,6 +2,8 @@
 
 use refinable_algebra::{Integer, Matrix, Polynomial, Ring, integer};
 
+use crate::family::letters;
+use crate::jury::inner_matrix;
 use crate::map::family::PlaneScheme;
 use crate::map::form::{Form, degree};
 use crate::map::model::{Eigenvalue, Inequality};
@@ -30,16 +32,12 @@ impl Blocks {
         word: &str,
         work: &mut Work,
     ) -> Check<Self> {
-        let digit = |c: char| c.to_digit(10).map(|d| d as usize).filter(|&d| d < scheme.arity);
-        let letters: Option<Vec<usize>> = word.chars().map(digit).collect();
-        let Some(letters) = letters.filter(|l| (1..=LONGEST).contains(&l.len())) else {
-            return fail("a word is empty, too long, or has a letter that is no matrix");
-        };
+        let letters = letters(word, scheme.arity, LONGEST)?;
         let d = scheme.dimension();
         let matrices = scheme.letters();
         let bits = matrices.iter().flatten().map(bits).max().unwrap_or(0);
         for step in 1..=letters.len() {
-            let products = d.pow(3) * terms(scheme.degree) * terms(step * scheme.degree);
+            let products = d.pow(3) * term_count(scheme.degree) * term_count(step * scheme.degree);
             work.products(products, bits, step as u64 * bits)?;
         }
         let matrix = |e: usize| Matrix::from_fn(d, d, |i, j| matrices[e][i * d + j].clone());
@@ -91,11 +89,11 @@ impl Blocks {
         let total = weight * largest + degree(&sign);
         ensure(total <= DEGREE, "an inequality of degree above 16")?;
         let bits = entries().map(bits).max().unwrap_or(0) + bits(&self.denominator);
-        let whole = terms(total);
-        let steps = size.pow(4) * terms(largest) * whole;
+        let whole = term_count(total);
+        let steps = size.pow(4) * term_count(largest) * whole;
         let minors = if pairs { size.pow(3) * whole * whole } else { 0 };
         work.products(steps + minors, bits * size as u64, bits * size as u64)?;
-        let radius = Polynomial::constant(integer(radius.try_into().unwrap_or(i64::MAX)));
+        let radius = Polynomial::constant(Integer::from(radius));
         let scale = self.denominator.scaled(&radius);
         // det(λ - M) at λ = scale μ, in powers of μ.
         let characteristic = matrix.characteristic_polynomial();
@@ -114,7 +112,11 @@ impl Blocks {
                     s.plus(&c.scaled(&Polynomial::constant(integer(sign(k)))))
                 })
             }
-            Eigenvalue::Pair => inner_matrix(&coefficients).determinant(),
+            Eigenvalue::Pair => {
+                let entries = inner_matrix(&coefficients);
+                let entry = |i: usize, j: usize| entries[i * (size - 1) + j].clone();
+                Matrix::from_fn(size - 1, size - 1, entry).determinant()
+            }
         };
         Ok(form.times(&sign))
     }
@@ -136,7 +138,7 @@ pub(crate) fn polynomial(
 }
 
 /// The number of terms of a polynomial of this degree in two variables.
-fn terms(degree: usize) -> usize {
+fn term_count(degree: usize) -> usize {
     (degree + 1) * (degree + 2) / 2
 }
 
@@ -188,19 +190,6 @@ fn without_corner(matrix: &Matrix<Form>) -> Option<(Matrix<Form>, Matrix<Form>)>
     Some((entry, Matrix::from_fn(n - 1, n - 1, others)))
 }
 
-/// `X - Y` with `X[i][j] = a_{d-j+i}`, `Y[i][j] = a_{d-2-i-j}`, of order `d-1`: its determinant is
-/// `a_d^(d-1) Π_{i<j} (1 - λ_i λ_j)` (Jury 1974).
-fn inner_matrix(a: &[Form]) -> Matrix<Form> {
-    let d = a.len() - 1;
-    Matrix::from_fn(d - 1, d - 1, |i, j| {
-        let upper = if j >= i { a[d - (j - i)].clone() } else { Form::zero() };
-        match (d - 2).checked_sub(i + j) {
-            Some(k) => upper.minus(&a[k]),
-            None => upper,
-        }
-    })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -246,15 +235,16 @@ mod tests {
             let form = blocks.polynomial(0, eigenvalue, radius, &mut Work::new()).unwrap();
             form.coefficient(0).coefficient(0)
         };
-        for r in 1..4_i64 {
-            let s = 2 * r;
-            let positive = (s - 3) * (s + 5) * (s - 2);
-            let negative = (s + 3) * (s - 5) * (s + 2);
-            assert_eq!(value(Eigenvalue::Positive, r as u64), integer(positive));
-            assert_eq!(value(Eigenvalue::Negative, r as u64), integer(negative));
-            let pair = (s * s + 15) * (s * s - 6) * (s * s + 10);
+        for r in [1, 2, 3, 1 << 63, u64::MAX] {
+            let s = Integer::from(r) * 2;
+            let beside = |k: i64| &s + integer(k);
+            let positive = beside(-3) * beside(5) * beside(-2);
+            let negative = beside(3) * beside(-5) * beside(2);
+            assert_eq!(value(Eigenvalue::Positive, r), positive);
+            assert_eq!(value(Eigenvalue::Negative, r), negative);
+            let square = |k: i64| &s * &s + integer(k);
             // The leading coefficient s³ squared, against s² for each of three pairs.
-            assert_eq!(value(Eigenvalue::Pair, r as u64), integer(pair));
+            assert_eq!(value(Eigenvalue::Pair, r), square(15) * square(-6) * square(10));
         }
         let work = &mut Work::new();
         assert!(blocks.polynomial(1, Eigenvalue::Positive, 1, work).is_err());

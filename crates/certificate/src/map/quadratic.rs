@@ -7,13 +7,13 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use refinable_algebra::{Integer, Ring};
 
-use crate::family::places;
+use crate::family::{letters, places};
 use crate::map::family::{PlaneScheme, Polar};
 use crate::map::form::multisets;
 use crate::map::model::{Ellipsoids, Expansion};
 use crate::map::polygon::Polygon;
 use crate::map::positive::is_positive_definite;
-use crate::work::{Check, Work, ensure, fail};
+use crate::work::{Check, Work, ensure};
 
 /// Binary places of the matrices, of `B Q`, and of `B Q B^T`.
 const PLACES: u32 = 44;
@@ -96,11 +96,7 @@ impl Letters {
         work: &mut Work,
     ) -> Check<()> {
         let d = self.dimension;
-        let digit = |c: char| c.to_digit(10).map(|d| d as usize).filter(|&d| d < self.places.len());
-        let letters: Option<Vec<usize>> = expansion.word.chars().map(digit).collect();
-        let Some(letters) = letters.filter(|l| (1..=MOST_WORDS).contains(&l.len())) else {
-            return fail("a word is empty, too long, or has a letter that is no matrix");
-        };
+        let letters = letters(&expansion.word, self.places.len(), MOST_WORDS)?;
         self.check_form(&expansion.corners, polygon, letters.len())?;
         let v = &expansion.vector;
         ensure(v.len() == d, "a vector of the wrong length")?;

@@ -1,11 +1,24 @@
 //! From bytes to a map and back.
 
+use serde::Deserialize;
+
 use crate::error::Unreadable;
 use crate::map::model::{MAP_FORMAT, MapCertificate};
 use crate::model::VERSION;
 use crate::read::parse;
 
+/// The beginning of a certificate of any kind.
+#[derive(Deserialize)]
+struct Head {
+    format: String,
+}
+
 impl MapCertificate {
+    /// Whether a file says that it is a map, which it may fail to be.
+    pub fn is_meant(bytes: &[u8]) -> bool {
+        parse::<Head>(bytes).is_ok_and(|head| head.format == MAP_FORMAT)
+    }
+
     /// Reads a map. Nothing is checked but its form and its size.
     ///
     /// # Errors

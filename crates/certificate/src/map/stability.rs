@@ -15,9 +15,11 @@ pub(crate) fn is_generic(
     point: &[Rational; 2],
     work: &mut Work,
 ) -> Check<bool> {
+    if scheme.arity != 2 {
+        return Ok(false);
+    }
     let [even, odd, alternating] = scheme.halves_and_alternating(point);
-    Ok(scheme.arity == 2
-        && are_coprime(&even, &odd, work)?
+    Ok(are_coprime(&even, &odd, work)?
         && are_coprime(&alternating, &squares(&alternating, work)?, work)?)
 }
 

@@ -8,7 +8,7 @@ use refinable_algebra::{Integer, Ordered, Rational};
 use crate::error::{Invalid, Part};
 use crate::family::Scheme;
 use crate::map::family::{PlaneScheme, Polar, check_section, parts};
-use crate::map::form::{Form, is_nowhere_positive};
+use crate::map::form::{self, Form, is_nowhere_positive};
 use crate::map::inequality::{Blocks, polynomial};
 use crate::map::model::{
     Eigenvalue, Ellipsoids, Expansion, Inequality, MAP_FORMAT, MapCertificate, Node, PlaneFamily,
@@ -27,7 +27,8 @@ use crate::work::{Check, Reason, Work, ensure, fail, rational_bits};
 pub enum CellVerdict {
     /// C^n holds everywhere on it.
     Proved,
-    /// C^n fails on it: everywhere, or wherever the shifts are stable; at poles there is no scheme.
+    /// C^n fails on it, but for the points at which `σ^(n+1)` divides the symbol if `n` is not less than the order `k`, and
+    /// for poles, where there is no scheme: everywhere else, or wherever the shifts are stable.
     Refuted {
         /// Whether stable shifts are needed.
         if_stable: bool,
@@ -76,8 +77,14 @@ impl MapChecker {
     /// Whether `‖c_n‖ < 1` on the closed polygon: the absolute values of numerators of a row sum to less than that
     /// of the denominator, which has one sign at all control points, so that it has no zero on the polygon.
     pub fn has_small_norm(&self, polygon: &Polygon) -> bool {
-        let controls =
-            |lower: &Vec<Form>| self.scheme.controls(lower, polygon, &mut Work::new()).ok();
+        self.check_norm(polygon, &mut Work::new()).is_ok()
+    }
+
+    fn check_norm(&self, polygon: &Polygon, work: &mut Work) -> Check<()> {
+        let Some(lower) = &self.lower else {
+            return fail("the continuity is not less than the order");
+        };
+        let controls = self.scheme.controls(lower, polygon, work)?;
         let m = self.scheme.arity;
         let small = |Polar { values, denominator, .. }: &Polar| {
             (0..m).all(|j| {
@@ -86,11 +93,9 @@ impl MapChecker {
             })
         };
         let is_positive = |polar: &Polar| polar.denominator.compare_to_zero().is_gt();
-        let one_sign = |all: &[Polar]| {
-            all.windows(2).all(|pair| is_positive(&pair[0]) == is_positive(&pair[1]))
-        };
-        let controls = self.lower.as_ref().and_then(controls);
-        controls.is_some_and(|all| one_sign(&all) && all.iter().all(small))
+        let one_sign =
+            controls.windows(2).all(|pair| is_positive(&pair[0]) == is_positive(&pair[1]));
+        ensure(one_sign && controls.iter().all(small), "the norm is not below one")
     }
 
     /// Whether the ellipsoids prove C^n on the closed polygon.
@@ -158,12 +163,10 @@ impl MapChecker {
 }
 
 fn terms(form: &Form) -> Terms {
-    let rows = form.coefficients().iter().enumerate();
-    let terms = rows.flat_map(|(j, row)| {
-        let row = row.coefficients().iter().enumerate();
-        row.map(move |(i, c)| (Number(Rational::from(c.clone())), i as u32, j as u32))
-    });
-    terms.filter(|(c, ..)| c.0 != Rational::from(Integer::from(0))).collect()
+    let term = |(i, j, c): (usize, usize, &Integer)| {
+        (Number(Rational::from(c.clone())), i as u32, j as u32)
+    };
+    form::terms(form).map(term).collect()
 }
 
 fn invalid(part: Part) -> impl Fn(Reason) -> Invalid {
@@ -182,6 +185,11 @@ pub fn verify_map(map: &MapCertificate) -> Result<Vec<Cell>, Invalid> {
     let known = map.format == MAP_FORMAT && map.version == VERSION;
     ensure(known, "an unknown format or version").map_err(invalid(Part::Family))?;
     let checker = MapChecker::new(&map.family, map.continuity)?;
+    let short = map.stable_at.iter().flatten().all(is_short);
+    ensure(short, "a point with numbers of more than 512 bits")
+        .map_err(invalid(Part::Stability))?;
+    ensure(map.sections.len() <= MOST_SECTIONS, "more than 50 sections")
+        .map_err(invalid(Part::Section(MOST_SECTIONS)))?;
     let pieces = pieces(map).map_err(invalid(Part::Box))?;
     let reasons = Reasons::new(map, &checker)?;
     let check = |(node, polygon): (usize, Polygon)| {
@@ -191,8 +199,6 @@ pub fn verify_map(map: &MapCertificate) -> Result<Vec<Cell>, Invalid> {
     };
     let cells: Vec<Result<Cell, Invalid>> = pieces.into_par_iter().map(check).collect();
     let cells = cells.into_iter().collect::<Result<_, _>>()?;
-    ensure(map.sections.len() <= MOST_SECTIONS, "more than 50 sections")
-        .map_err(invalid(Part::Section(MOST_SECTIONS)))?;
     for (index, section) in map.sections.iter().enumerate() {
         let checked = check_certificate(section, map.continuity);
         let scheme = checked.map_err(invalid(Part::Section(index)))?;
@@ -223,6 +229,8 @@ fn check_certificate(section: &Section, continuity: usize) -> Check<Scheme> {
     let about = matches!(&certificate.conclusion,
         Conclusion::Continuity { continuity: n, .. } if *n == continuity);
     ensure(about, "a section is about something else")?;
+    let short = section.origin.iter().chain(&section.direction).all(is_short);
+    ensure(short, "a section with numbers of more than 512 bits")?;
     ensure(certificate.family.curve.is_none(), "a section that is a curve")?;
     verify(certificate).map_err(|invalid| Reason(invalid.to_string()))?;
     Scheme::new(&certificate.family, &mut Work::new())
@@ -317,7 +325,7 @@ impl<'a> Reasons<'a> {
         match node {
             Node::Cut { .. } | Node::Undecided => Ok(CellVerdict::Undecided),
             Node::Norm => {
-                ensure(self.checker.has_small_norm(polygon), "the norm is not below one")?;
+                self.checker.check_norm(polygon, work)?;
                 Ok(CellVerdict::Proved)
             }
             Node::Ellipsoids(ellipsoids) => {

@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 
 use crate::support::{
     FOUR_POINT, certificate, constant_family, four_point, growing_waves, leaning_theorem, nothing,
-    waves,
+    smooth, waves,
 };
 
 /// Reads and, if that succeeds, verifies; neither may take long.
@@ -190,6 +190,36 @@ fn sizes_beyond_the_limits() {
     let digits = format!("\"{}\"", "7".repeat(2001));
     let text = FOUR_POINT.replacen("\"1/100\"", &digits, 1);
     assert!(Certificate::read(text.as_bytes()).is_err());
+}
+
+/// Powers of the arity that no machine word holds, and difference symbols so short that the level is not: the step
+/// function of arity 64 is not continuous, whatever the level; and `c_1 = (1+z)/2` of arity 500.
+#[test]
+fn high_levels_of_large_arities() {
+    let family = |arity: usize, mask: Vec<String>, order: usize| {
+        let mask: Vec<_> = mask.into_iter().map(|c| json!([c])).collect();
+        json!({
+            "name": "test", "arity": arity, "parameter": null, "order": order, "lowest": 0, "mask": mask,
+        })
+    };
+    let of_level = |family: &Value, continuity: usize, level: u32| {
+        let norm = json!({"kind": "norm", "level": level, "from": "0", "to": "1"});
+        survive_value(&certificate(family, &smooth(continuity, &[["0", "1"]]), &json!([norm])))
+    };
+    let steps = family(64, vec!["1".into(); 64], 1);
+    for level in 1..=12 {
+        assert!(of_level(&steps, 0, level).unwrap_err().contains("row 0 of the norm"), "{level}");
+    }
+    // (1 + z) σ² / 1000, by the sums of two neighbours of the triangle 1, 2, …, 500, …, 1.
+    let triangle = |i: i64| (500 - (i - 499).abs()).max(0);
+    let hats = (0..1000).map(|i| format!("{}/1000", triangle(i) + triangle(i - 1)));
+    let hats = family(500, hats.collect(), 2);
+    for level in 1..=12 {
+        let found = of_level(&hats, 1, level);
+        let small = level <= 3;
+        assert_eq!(found.is_ok(), small, "{level}");
+        assert!(small || found.unwrap_err().contains("within the limits"), "{level}");
+    }
 }
 
 #[test]

@@ -17,6 +17,7 @@ mod complex_polytopes;
 mod convergence;
 mod families;
 mod hostile;
+mod maps;
 mod moving_polytopes;
 mod mutations;
 mod norms;

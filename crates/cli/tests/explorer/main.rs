@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use std::process::Command;
 
 use refinable_algebra::{Rational, Ring, parse_rational, rational};
-use refinable_analysis::{Fineness, MapVerdict, Sharpness, degrees};
+use refinable_analysis::{Fineness, Map, MapVerdict, Sharpness, degrees};
 use refinable_refine::{Ends, Polygon};
 use refinable_report::{Assignment, Maps, sharp_range};
 use refinable_scheme::Scheme;
@@ -82,6 +82,21 @@ fn scattered(count: usize) -> impl Iterator<Item = [Rational; 2]> {
     })
 }
 
+/// The verdicts of the page at a point, which are those of the maps.
+fn agreed(browser: &mut Browser, maps: &Maps, point: &[Rational; 2]) -> Vec<String> {
+    let shown = verdicts(browser, point).into_iter();
+    let agree = |(map, (order, verdict)): (&Map, (usize, String))| {
+        let expected = match map.verdict_at(point) {
+            MapVerdict::Proved => "proved",
+            MapVerdict::Refuted => "refuted",
+            MapVerdict::Undecided => "undecided",
+        };
+        assert_eq!((map.continuity(), expected), (order, &verdict[..]), "at {point:?}");
+        verdict
+    };
+    maps.maps.iter().zip(shown).map(agree).collect()
+}
+
 #[test]
 fn two_parameters() {
     let Some(mut browser) = Browser::start() else { return };
@@ -108,16 +123,7 @@ fn two_parameters() {
     let special = special.iter().map(|p| numbers(p).try_into().expect("two numbers"));
     let mut seen = Vec::new();
     for point in special.chain(scattered(40)) {
-        let shown = verdicts(&mut browser, &point);
-        for (map, (order, verdict)) in maps.maps.iter().zip(shown) {
-            let expected = match map.verdict_at(&point) {
-                MapVerdict::Proved => "proved",
-                MapVerdict::Refuted => "refuted",
-                MapVerdict::Undecided => "undecided",
-            };
-            assert_eq!((map.continuity(), expected), (order, &verdict[..]), "at {point:?}");
-            seen.push(verdict);
-        }
+        seen.extend(agreed(&mut browser, &maps, &point));
         expect_degrees(&mut browser, &scheme, &point);
     }
     for verdict in ["proved", "refuted", "undecided"] {
@@ -274,6 +280,32 @@ fn curves(browser: &mut Browser, path: &std::path::Path, scheme: &Scheme) {
             }
         }
     }
+}
+
+/// A page of a box that was asked for begins in it; where the denominator vanishes nothing is defined.
+#[test]
+fn two_parameters_with_poles() {
+    let Some(mut browser) = Browser::start() else { return };
+    let dir = TempDir::new().expect("a directory");
+    let (text, window) = ("even: [a/b, 1-2*a/b, a/b]; odd: [1/2, 1/2]", "a=-1..1,b=-1..1");
+    let path = page(&dir, "poles.html", &[text, "--box", window]);
+    let scheme = family(text);
+    browser.open(&path, "");
+    assert_eq!(browser.text("#headline"), "C¹ is proved, C² is refuted");
+    let maps = Maps::new(&scheme, "0..2", Some(window), &Fineness::default()).expect("maps");
+    let mut seen = Vec::new();
+    // Once on the line of cubic B-splines, t = 1/8.
+    for point in scattered(30).chain([numbers(&["1/16", "1/2"]).try_into().expect("two")]) {
+        seen.extend(agreed(&mut browser, &maps, &point));
+    }
+    assert!(["proved", "refuted", "undecided"].iter().all(|v| seen.iter().any(|s| s == v)));
+    let undefined = ["undefined"; 3].map(String::from);
+    for pole in [["1/2", "0"], ["0", "0"]] {
+        let shown = verdicts(&mut browser, &numbers(&pole)).into_iter();
+        assert_eq!(shown.map(|(_, verdict)| verdict).collect::<Vec<_>>(), undefined);
+        assert!(browser.text("#mask").contains("pole"));
+    }
+    assert_eq!(browser.errors, [""; 0]);
 }
 
 #[test]

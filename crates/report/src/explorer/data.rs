@@ -33,8 +33,11 @@ pub(super) fn of(
     };
     progress("interpolating members");
     let tensions = tensions(scheme, &parameters);
+    // The smoothest member may be outside of a box that was asked for.
     let start = match &tensions {
-        Tensions::Chosen(choice) => in_order(mask, &parameters, &choice.approximating),
+        Tensions::Chosen(choice) if options.window.is_none() => {
+            in_order(mask, &parameters, &choice.approximating)
+        }
         _ => centre,
     };
     Ok(json!({

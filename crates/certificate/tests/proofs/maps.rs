@@ -1,0 +1,141 @@
+//! Maps that are broken, too large or false; by hand, whatever makes them.
+
+use refinable_certificate::{CellVerdict, MapCertificate, Unreadable, verify_map};
+use serde_json::{Value, json};
+
+use crate::support::certificate;
+
+/// `[x, 1/2, 1-2x, 1/2, x]`, whatever `y`: the rows of `c_0` are `|x| + |1/2-x|`, one half for `x` from 0 to 1/2.
+fn map() -> Value {
+    json!({
+        "format": "refinable-map-certificate", "version": 1,
+        "family": {
+            "name": "test", "arity": 2, "parameters": ["u", "v"], "order": 1, "lowest": -2,
+            "mask": [
+                [["1", 1, 0]], [["1/2", 0, 0]], [["1", 0, 0], ["-2", 1, 0]], [["1/2", 0, 0]], [["1", 1, 0]],
+            ],
+        },
+        "continuity": 0, "box": [["0", "1/2"], ["0", "1"]], "roots": [0],
+        "nodes": [
+            {"kind": "cut", "line": ["1", "1", "1"], "below": 1, "above": 2},
+            {"kind": "norm"}, {"kind": "undecided"},
+        ],
+    })
+}
+
+/// The verdicts, or why there are none.
+fn check(value: &Value) -> Result<Vec<CellVerdict>, String> {
+    let map = MapCertificate::read(value.to_string().as_bytes()).map_err(|e| e.to_string())?;
+    let cells = verify_map(&map).map_err(|e| e.to_string())?;
+    Ok(cells.into_iter().map(|cell| cell.verdict).collect())
+}
+
+#[test]
+fn a_norm_on_a_piece() {
+    assert_eq!(check(&map()), Ok(vec![CellVerdict::Proved, CellVerdict::Undecided]));
+}
+
+#[test]
+fn what_is_not_a_map_is_unreadable() {
+    let text = map().to_string();
+    for length in 0..text.len() {
+        assert!(MapCertificate::read(&text.as_bytes()[..length]).is_err(), "{length}");
+    }
+    let other = certificate(&json!({}), &json!({}), &json!([])).to_string();
+    for (from, to) in [
+        ("\"version\":1", "\"version\":2"),
+        ("\"norm\"", "\"trust\""),
+        ("\"roots\"", "\"root\""),
+        ("refinable-map-certificate", "refinable-certificate"),
+    ] {
+        let changed = text.replacen(from, to, 1);
+        assert_ne!(changed, text);
+        let read = MapCertificate::read(changed.as_bytes());
+        assert!(matches!(read, Err(Unreadable::Malformed(_))), "{read:?}");
+    }
+    assert!(
+        MapCertificate::is_meant(text.as_bytes()) && !MapCertificate::is_meant(other.as_bytes())
+    );
+    // The word alone, somewhere in the file, does not make a map.
+    let named = json!({"format": "refinable-certificate", "name": "refinable-map-certificate"});
+    assert!(!MapCertificate::is_meant(named.to_string().as_bytes()));
+}
+
+/// A change at a place, and what is said of it.
+#[test]
+fn hostile_parts() {
+    let long = format!("1/1{}", "0".repeat(200));
+    let huge = json!(u64::MAX);
+    let word = |radius: &Value, word: &str| json!({"kind": "word", "word": word, "block": 0, "eigenvalue": "positive", "radius": radius});
+    let ellipsoids = |memory: u64, corners: Value| json!({"kind": "ellipsoids", "memory": memory, "corners": corners});
+    let form = |entry: i64| json!([[entry, 0, 0, entry, 0, entry]]);
+    let section = json!({
+        "origin": [long.as_str(), "0"], "direction": ["0", "0"],
+        "certificate": certificate(
+            &json!({"name": "", "arity": 2, "parameter": null, "order": 1, "lowest": 0, "mask": [["1"], ["1"]]}),
+            &json!({"kind": "continuity", "continuity": 0, "proved": [], "refuted": []}),
+            &json!([]),
+        ),
+    });
+    let changes: Vec<(&str, Value, &str)> = vec![
+        ("/continuity", huge.clone(), "the continuity is not less than the order"),
+        ("/continuity", json!(1), "the continuity is not less than the order"),
+        ("/family/arity", json!(11), "above ten"),
+        ("/family/arity", huge.clone(), "above ten"),
+        ("/family/order", huge.clone(), "too large"),
+        ("/family/order", json!(0), "too small"),
+        ("/family/order", json!(3), "not divisible"),
+        ("/family/mask", json!([]), "too short"),
+        ("/family/mask", json!(vec![json!([["1/100", 0, 0]]); 201]), "too long"),
+        ("/family/mask/0", json!([["1", 7, 0]]), "degree above 6"),
+        ("/family/mask/0", json!([["1", u32::MAX, 0]]), "degree above 6"),
+        ("/family/mask/0", json!(vec![json!(["1/100", 1, 0]); 101]), "more than 100 terms"),
+        ("/family/mask/0", json!([["2", 1, 0]]), "does not sum to one"),
+        ("/family/denominator", json!(vec![json!(["1", 1, 0]); 101]), "more than 100 terms"),
+        ("/box/0", json!(["3/4", "1"]), "the norm is not below one"),
+        ("/box/0", json!(["1", "0"]), "not below the upper one"),
+        ("/box/0/1", json!(long), "512 bits"),
+        ("/stable_at", json!([long, "0"]), "512 bits"),
+        ("/stable_at", json!(["1/4", "0"]), "not shown to be stable"),
+        ("/roots", json!([1]), "reached"),
+        ("/roots", json!([]), "one root"),
+        ("/roots", json!([u64::MAX]), "does not exist"),
+        ("/nodes/0/below", json!(0), "reached twice"),
+        ("/nodes/0/above", json!(1), "reached twice"),
+        ("/nodes/0/above", huge.clone(), "does not exist"),
+        ("/nodes/0/line", json!(["0", "0", "1"]), "no line"),
+        ("/nodes/0/line", json!(["1", "1", "7"]), "misses"),
+        ("/nodes/1", word(&huge, "01"), "not shown to hold"),
+        ("/nodes/1", word(&json!(0), "01"), "below one"),
+        ("/nodes/1", word(&json!(1), ""), "empty"),
+        ("/nodes/1", word(&json!(1), "2"), "no matrix"),
+        ("/nodes/1", word(&json!(1), &"0".repeat(13)), "too long"),
+        ("/nodes/1", word(&json!(1), "٣"), "no matrix"),
+        ("/nodes/1", ellipsoids(u64::from(u32::MAX), json!([])), "more than 64"),
+        ("/nodes/1", ellipsoids(0, json!([])), "the wrong number"),
+        ("/nodes/1", ellipsoids(0, json!(vec![form(i64::MIN); 4])), "too large"),
+        ("/nodes/1", ellipsoids(0, json!(vec![form(0); 4])), "positive definite"),
+        ("/nodes/1", json!({"kind": "indivisible"}), "divides the symbol"),
+        ("/sections", json!(vec![section.clone(); 51]), "more than 50"),
+        ("/sections", json!([section]), "512 bits"),
+    ];
+    for (place, part, because) in changes {
+        let mut changed = map();
+        let (parent, name) = place.rsplit_once('/').expect("a path");
+        match changed.pointer_mut(place) {
+            Some(old) => *old = part,
+            None => changed.pointer_mut(parent).expect("a parent")[name] = part,
+        }
+        let found = check(&changed);
+        assert!(found.as_ref().is_err_and(|error| error.contains(because)), "{place}: {found:?}");
+    }
+}
+
+/// Without a proof nothing is claimed, however absurd the order.
+#[test]
+fn nothing_is_proved_of_an_absurd_order() {
+    let mut changed = map();
+    changed["continuity"] = json!(usize::MAX);
+    changed["nodes"] = json!([{"kind": "undecided"}]);
+    assert_eq!(check(&changed), Ok(vec![CellVerdict::Undecided]));
+}
