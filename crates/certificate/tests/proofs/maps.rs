@@ -139,3 +139,66 @@ fn nothing_is_proved_of_an_absurd_order() {
     changed["nodes"] = json!([{"kind": "undecided"}]);
     assert_eq!(check(&changed), Ok(vec![CellVerdict::Undecided]));
 }
+
+/// `[x, y/2, y-2x, y/2, x]` over `y`: the mask of `map` at `x/y`, on a box as a whole.
+fn quotient(window: [[&str; 2]; 2], node: Value) -> Value {
+    let mut quotient = map();
+    quotient["family"]["mask"] = json!([
+        [["1", 1, 0]],
+        [["1/2", 0, 1]],
+        [["1", 0, 1], ["-2", 1, 0]],
+        [["1/2", 0, 1]],
+        [["1", 1, 0]],
+    ]);
+    quotient["family"]["denominator"] = json!([["1", 0, 1]]);
+    quotient["box"] = json!(window);
+    quotient["nodes"] = json!([node]);
+    quotient
+}
+
+#[test]
+fn norms_on_both_sides_of_a_pole_but_not_across() {
+    let norm = || json!({"kind": "norm"});
+    let narrow = ["-1/100", "1/100"];
+    for [low, high] in [["1/20", "1"], ["-1", "-1/20"]] {
+        assert_eq!(check(&quotient([narrow, [low, high]], norm())), Ok(vec![CellVerdict::Proved]));
+    }
+    // At all corners the norm is small.
+    for across in [["-1", "1"], ["0", "1"], ["-1", "0"]] {
+        let found = check(&quotient([narrow, across], norm()));
+        assert!(found.is_err_and(|error| error.contains("the norm is not below one")));
+    }
+}
+
+/// What an inequality says of `(x, y)` it says of `(-x, -y)`: nothing where the scheme converges, `1/16 ≤ x/y ≤ 1/4`,
+/// and for some words that it diverges where `x/y ≥ 1` or `x/y ≤ -1`.
+#[test]
+fn inequalities_on_both_sides_of_a_pole() {
+    let negative = |[low, high]: [&str; 2]| [high, low].map(|x| format!("-{x}").replace("--", ""));
+    let holds = |window: [[&str; 2]; 2], word: &str, block: usize, eigenvalue: &str| {
+        let word = json!({
+            "kind": "word", "word": word, "block": block, "eigenvalue": eigenvalue, "radius": 1,
+        });
+        match check(&quotient(window, word)) {
+            Ok(_) => true,
+            Err(error) if ["not shown", "no such block"].iter().any(|s| error.contains(s)) => false,
+            Err(error) => panic!("{error}"),
+        }
+    };
+    for (x, converges) in [(["1/16", "1/8"], true), (["2", "3"], false), (["-3", "-2"], false)] {
+        let y = if converges { ["1/2", "1"] } else { ["1", "2"] };
+        let (minus_x, minus_y) = (negative(x), negative(y));
+        let opposite = [&minus_x, &minus_y].map(|ends| ends.each_ref().map(String::as_str));
+        let mut found = 0;
+        for word in ["0", "1", "001"] {
+            for (block, eigenvalue) in
+                [(0, "positive"), (0, "negative"), (1, "positive"), (1, "negative")]
+            {
+                let there = holds([x, y], word, block, eigenvalue);
+                assert_eq!(there, holds(opposite, word, block, eigenvalue), "{word} {block}");
+                found += usize::from(there);
+            }
+        }
+        assert_eq!(found == 0, converges);
+    }
+}
