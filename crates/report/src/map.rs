@@ -1,7 +1,8 @@
 //! `map`: where C^n is proved and refuted over two parameters.
 
 use refinable_algebra::{
-    Monomial, Parameter, ParameterPolynomial, Polynomial, Rational, Ring, decimal, parse_rational,
+    Monomial, Parameter, ParameterFraction, ParameterPolynomial, Polynomial, Rational, Ring,
+    decimal, parse_rational,
 };
 use refinable_analysis::{Area, Fineness, Map, Plane, Window, default_window, map, region_of};
 use refinable_certificate::{CellVerdict, Conclusion, Inequality, Node, Polygon, Terms};
@@ -121,13 +122,17 @@ impl Maps {
                 ));
             }
             if needs_stability(map) {
+                let also = match n < map.plane.order() {
+                    true => String::new(),
+                    false => format!("(1 + z)^{} does not divide the symbol and ", n + 1),
+                };
                 remarks.push(format!(
-                    "what is refuted for C^{n} is refuted wherever the shifts of the basic limit function \
-                     are stable, which is everywhere but on a curve"
+                    "what is refuted for C^{n} is refuted wherever {also}the shifts of the basic limit \
+                     function are stable, which is everywhere but on a curve"
                 ));
             }
         }
-        if let Some(poles) = self.poles() {
+        if let Some(poles) = poles(&self.maps[0]) {
             remarks.push(format!("the mask has poles where {poles} = 0: nothing is said there"));
         }
         remarks.push(format!(
@@ -136,13 +141,6 @@ impl Maps {
         ));
         remarks.push("proof checked".into());
         remarks
-    }
-
-    /// The polynomial that vanishes at the poles, primitive, if there are some.
-    fn poles(&self) -> Option<ParameterPolynomial> {
-        let map = &self.maps[0];
-        let terms = map.certificate.family.denominator.as_ref()?;
-        Some(in_parameters(map, terms))
     }
 
     fn json_of(&self, map: &Map) -> Value {
@@ -191,7 +189,7 @@ impl Maps {
             "continuity": map.continuity(),
             "box": {u.name(): span(&u0, &u1), v.name(): span(&v0, &v1)},
             "coordinates": [x, y],
-            "poles": self.poles().map(|p| p.to_string()),
+            "poles": poles(map).map(|p| p.to_string()),
             "area": {
                 "proved": area_number(proved), "refuted": area_number(refuted),
                 "undecided": area_number(undecided),
@@ -255,13 +253,26 @@ pub(crate) fn because(node: &Node) -> String {
 /// The boundary curves that occur, as primitive polynomials in the parameters.
 fn boundaries(map: &Map) -> Vec<(Inequality, ParameterPolynomial)> {
     let mut found: Vec<(Inequality, ParameterPolynomial)> = Vec::new();
+    let poles = poles(map);
     for (inequality, terms) in map.boundaries() {
         let polynomial = in_parameters(map, &terms);
+        // For the sake of its sign an inequality may have the denominator as a factor.
+        let quotient =
+            poles.as_ref().and_then(|d| ParameterFraction::new(polynomial.clone(), d).ok());
+        let polynomial = match quotient.as_ref().and_then(ParameterFraction::as_polynomial) {
+            Some(quotient) => quotient.primitive().2,
+            None => polynomial,
+        };
         if !found.iter().any(|(_, known)| *known == polynomial) {
             found.push((inequality, polynomial));
         }
     }
     found
+}
+
+/// The polynomial that vanishes at the poles, primitive, if there are some.
+fn poles(map: &Map) -> Option<ParameterPolynomial> {
+    Some(in_parameters(map, map.certificate.family.denominator.as_ref()?))
 }
 
 /// A polynomial in `x` and `y` as one in the parameters, primitive.
