@@ -106,6 +106,8 @@ fn masks_are_recognised() {
     has("[-u/2, 0, (1+u)/2, 1, (1+u)/2, 0, -u/2]", "fourpoint(w) with w = 1/2*u");
     has("1/128*[-5, -7, 35, 105, 105, 35, -7, -5]", "dualpseudo(2, 1)");
     has("ternaryfourpoint(t/2)", "ternaryfourpoint(mu) with mu = 1/2*t");
+    // A name that looks like that of an unknown is a name like any other.
+    has("fourpoint(2*unknown_0)", "fourpoint(w) with w = 2*unknown_0");
     let special = "1/128*[-3, -8, 12, 72, 110, 72, 12, -8, -3]";
     has(special, "pseudo(3, 1)");
     has(special, "a4 with alpha = 3/128");
