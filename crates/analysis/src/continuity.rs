@@ -272,3 +272,34 @@ fn verdict_of(certificate: &Certificate) -> PointVerdict {
         _ => PointVerdict::Undecided,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use refinable_algebra::Ring;
+    use refinable_scheme::Scheme;
+
+    fn scheme(text: &str, arity: usize) -> Scheme {
+        Scheme::resolve(text, arity).expect("a scheme")
+    }
+
+    /// Far from zero floats do not tell the ends of the range apart: nothing is proved between them, and the
+    /// words prove what they prove elsewhere.
+    #[test]
+    fn ranges_far_from_zero_end() {
+        let text = "fourpoint(w-10^20)";
+        let (family, w) = (scheme(text, 2), Parameter::new("w"));
+        let found = continuity_range(text, family.mask(), &w, 1, &Sharpness::default());
+        let found = found.expect("a range");
+        // C^1 at 1/16, and not at -1 and 1.
+        let moved = |p: i64, q: i64| {
+            let far = Rational::from_i64(10).power(20);
+            far + Rational::new(p.into(), q.into())
+        };
+        assert!(!found.refuted.contains_rational(&moved(1, 16)));
+        for n in [-1, 1] {
+            assert!(found.refuted.contains_rational(&moved(n, 1)), "{n}");
+            assert!(!found.proved.contains_rational(&moved(n, 1)), "{n}");
+        }
+    }
+}
