@@ -302,4 +302,34 @@ mod tests {
             assert!(!found.proved.contains_rational(&moved(n, 1)), "{n}");
         }
     }
+
+    /// The limit functions of `1/m (1 + z + ... + z^(m-1))^2` are splines of degree one, for each arity. The words of
+    /// a proof have digits for ten letters; above, none is sought, and norms do without.
+    #[test]
+    fn proofs_for_large_arities() {
+        let linear = |m: usize| scheme(&format!("1/{m}*((1-z^{m})/(1-z))^2"), m);
+        let verdict = |m: usize, n: usize| {
+            continuity_at("linear", linear(m).mask(), n, &Sharpness::default()).map(|v| v.0)
+        };
+        assert_eq!(verdict(10, 0).expect("readable"), PointVerdict::Proved);
+        for m in [11, 64, 100] {
+            let scheme = linear(m);
+            let errors = [
+                verdict(m, 0).expect_err("not readable"),
+                crate::regularity("linear", scheme.mask(), &Options::default())
+                    .expect_err("not readable"),
+            ];
+            for error in errors {
+                assert_eq!(error.code(), "budget", "{m}");
+                assert!(error.message().contains(&format!("words of {m} letters")), "{error}");
+            }
+            let norms = crate::norm_values(scheme.mask(), 0, 1, crate::Budget::default());
+            let norms = norms.expect("small enough").expect("it is divisible");
+            assert_eq!(norms, [Rational::new(1.into(), m.into())]);
+        }
+        // 1 at z = 1, so that the factor leaves a scheme a scheme.
+        let plane = scheme("1/11*((1-z^11)/(1-z))^2*(1+(u+v*z)*(1-z))", 11);
+        let error = crate::smooth_window("plane", plane.mask()).expect_err("not readable");
+        assert_eq!(error.code(), "budget");
+    }
 }
