@@ -200,11 +200,6 @@ impl Line {
         self.parameter.as_ref()
     }
 
-    /// `P` and `Q` if the family is not the line itself.
-    pub fn substitution(&self) -> Option<(&Polynomial<Rational>, &Polynomial<Rational>)> {
-        self.curve.as_ref().map(|curve| (&curve.line.0, &curve.line.1))
-    }
-
     /// `p` and `q` of the masks `p + x q`.
     pub fn parts(&self) -> (&Laurent<Rational>, &Laurent<Rational>) {
         (&self.base, &self.direction)
