@@ -91,21 +91,6 @@ impl<R: Ring> Laurent<R> {
         Laurent::new(-highest, self.coefficients().iter().rev().cloned().collect())
     }
 
-    /// `self(1)`: the sum of the coefficients.
-    pub fn at_one(&self) -> R {
-        self.coefficients().iter().fold(R::zero(), |sum, c| sum.plus(c))
-    }
-
-    /// `self(-1)`: the alternating sum.
-    pub fn at_minus_one(&self) -> R {
-        self.terms().fold(
-            R::zero(),
-            |sum, (k, c)| {
-                if k.rem_euclid(2) == 0 { sum.plus(c) } else { sum.minus(c) }
-            },
-        )
-    }
-
     /// The derivative `d/dz`.
     pub fn derivative(&self) -> Self {
         let scaled = self.terms().map(|(k, c)| c.times(&R::from_i64(k))).collect();
@@ -232,11 +217,5 @@ mod tests {
         let remainder = laurent(-4, &[7, 0, 3, 1]);
         let a = quotient.times(&sigma.power(2)).plus(&remainder);
         assert_eq!(a.divide_by_geometric(3, 2), (quotient, remainder));
-    }
-
-    #[test]
-    fn values_at_plus_and_minus_one() {
-        let a = laurent(-1, &[1, 2, 4]);
-        assert_eq!((a.at_one(), a.at_minus_one()), (integer(7), integer(-3)));
     }
 }

@@ -108,7 +108,7 @@ pub fn clear_denominators<'a>(
     (common, cleared)
 }
 
-/// `x` rounded half away from zero to `digits` significant decimal digits, as `-0.01982`, or as
+/// `x` rounded half away from zero to `digits ≥ 1` significant decimal digits, as `-0.01982`, or as
 /// `1.5e-12` outside 1e-6..1e15. Zeros at the end are cut. The same text on every machine.
 ///
 /// ```
@@ -116,7 +116,11 @@ pub fn clear_denominators<'a>(
 /// assert_eq!(decimal(&rational(-2, 3), 5), "-0.66667");
 /// assert_eq!(decimal(&rational(1, 1_000_000_000), 5), "1e-9");
 /// ```
+///
+/// # Panics
+/// If `digits` is zero.
 pub fn decimal(x: &Rational, digits: u32) -> String {
+    assert!(digits > 0, "a number has a first digit");
     if Zero::is_zero(x) {
         return "0".into();
     }
@@ -248,6 +252,12 @@ impl GcdDomain for Rational {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    #[should_panic(expected = "a first digit")]
+    fn no_digits_at_all() {
+        decimal(&rational(1, 3), 0);
+    }
 
     #[test]
     fn decimals_round_half_away_and_keep_their_exponent() {

@@ -18,6 +18,27 @@ impl Default for Budget {
     }
 }
 
+/// The most letters that the words of a proof may have: each is written as one digit.
+const MOST_LETTERS: usize = 10;
+
+/// Asked before a search for a proof with words: whether a checker reads words of so many letters.
+///
+/// # Errors
+/// Code `budget`.
+pub(crate) fn expect_readable_words(arity: usize) -> Result<(), Diagnostic> {
+    if arity <= MOST_LETTERS {
+        return Ok(());
+    }
+    let what = format!("words of {arity} letters, where at most {MOST_LETTERS} have a digit");
+    Err(unreadable(&what))
+}
+
+/// What is said of a proof that is not sought.
+pub(crate) fn unreadable(what: &str) -> Diagnostic {
+    Diagnostic::new("budget", format!("a proof would have {what}, and no checker reads it"))
+        .with_hint("`refinable norm SCHEME -n N --level L` bounds the differences all the same")
+}
+
 impl Budget {
     /// Admits polynomials whose degree grows by `degree` with each level: root isolation takes more
     /// than the square of it.

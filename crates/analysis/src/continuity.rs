@@ -94,8 +94,9 @@ impl ContinuityRange {
 /// stable; for `n ≥ k` only values come into question at which a higher power divides.
 ///
 /// # Errors
-/// Code `parameters` if the masks of the family lie on no line, or not one parameter is free; `budget`
-/// if they are so long that no proof would be read.
+/// Code `parameters` if the masks of the family lie on no line, or `parameter` is not the only free one; `budget`
+/// if they are so long, or of so high an arity, that no proof would be read; `certificate` if the proof found does not
+/// hold.
 ///
 /// # Cost
 /// A linear program in floats for every image of every vertex of the polytopes that are tried; the checker's work for
@@ -112,6 +113,7 @@ pub fn continuity_range(
     sharpness: &Sharpness,
 ) -> Result<ContinuityRange, Diagnostic> {
     let line = line_of(name, mask)?;
+    expect_parameter(&line, parameter)?;
     let mut proof = Proof::new(&line, line.order(), continuity, sharpness);
     proof.search();
     ContinuityRange::of(&line, parameter, continuity, proof.certificate())
@@ -126,6 +128,7 @@ pub fn certified_range(
     certificate: &Certificate,
 ) -> Option<ContinuityRange> {
     let line = Line::new(&certificate.family.name, mask)?;
+    expect_parameter(&line, parameter).ok()?;
     let same = certificate.family == line.family(line.order());
     let range = || ContinuityRange::of(&line, parameter, continuity, certificate.clone()).ok();
     if same { range() } else { None }
@@ -153,6 +156,18 @@ fn line_of(name: &str, mask: &Normalised) -> Result<Line, Diagnostic> {
     })?;
     line.expect_readable_proofs()?;
     Ok(line)
+}
+
+fn expect_parameter(line: &Line, parameter: &Parameter) -> Result<(), Diagnostic> {
+    if line.parameter() == Some(parameter) {
+        return Ok(());
+    }
+    let error =
+        Diagnostic::new("parameters", format!("{parameter} is not the only free parameter"));
+    Err(match line.parameter() {
+        Some(free) => error.with_hint(format!("{free} is")),
+        None => error.with_hint("none is free: a single scheme has no range"),
+    })
 }
 
 impl ContinuityRange {
@@ -230,7 +245,8 @@ pub fn region_of(intervals: &[Interval]) -> Region {
 /// C^n of a scheme without free parameters, with its certificate.
 ///
 /// # Errors
-/// Code `parameters` if a parameter is free.
+/// Code `parameters` if a parameter is free; `budget` if the mask is so long, or of so high an arity, that no proof
+/// would be read; `certificate` if the proof found does not hold.
 ///
 /// # Cost
 /// As for [`continuity_range`], at one value.
@@ -270,5 +286,86 @@ fn verdict_of(certificate: &Certificate) -> PointVerdict {
         Conclusion::Continuity { proved, .. } if !proved.is_empty() => PointVerdict::Proved,
         Conclusion::Continuity { refuted, .. } if !refuted.is_empty() => PointVerdict::Refuted,
         _ => PointVerdict::Undecided,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use refinable_algebra::Ring;
+    use refinable_scheme::Scheme;
+
+    fn scheme(text: &str, arity: usize) -> Scheme {
+        Scheme::resolve(text, arity).expect("a scheme")
+    }
+
+    #[test]
+    fn the_parameter_must_be_the_free_one() {
+        let [w, other] = ["w", "alpha"].map(Parameter::new);
+        let range = |text: &str, parameter: &Parameter| {
+            let scheme = scheme(text, 2);
+            continuity_range(text, scheme.mask(), parameter, 0, &Sharpness::default())
+        };
+        let found = range("fourpoint(w)", &w).expect("a range");
+        assert_eq!(found.parameter, w);
+        for (text, parameter) in
+            [("fourpoint(w)", &other), ("dd4", &w), ("fourpoint(w*w)", &other), ("a3", &w)]
+        {
+            let error = range(text, parameter).expect_err(text);
+            assert_eq!(error.code(), "parameters", "{text}");
+        }
+        let family = scheme("fourpoint(w)", 2);
+        let earlier = |p: &Parameter| certified_range(family.mask(), p, 0, &found.certificate);
+        assert!(earlier(&w).is_some() && earlier(&other).is_none());
+    }
+
+    /// Far from zero floats do not tell the ends of the range apart: nothing is proved between them, and the
+    /// words prove what they prove elsewhere.
+    #[test]
+    fn ranges_far_from_zero_end() {
+        let text = "fourpoint(w-10^20)";
+        let (family, w) = (scheme(text, 2), Parameter::new("w"));
+        let found = continuity_range(text, family.mask(), &w, 1, &Sharpness::default());
+        let found = found.expect("a range");
+        // C^1 at 1/16, and not at -1 and 1.
+        let moved = |p: i64, q: i64| {
+            let far = Rational::from_i64(10).power(20);
+            far + Rational::new(p.into(), q.into())
+        };
+        assert!(!found.refuted.contains_rational(&moved(1, 16)));
+        for n in [-1, 1] {
+            assert!(found.refuted.contains_rational(&moved(n, 1)), "{n}");
+            assert!(!found.proved.contains_rational(&moved(n, 1)), "{n}");
+        }
+    }
+
+    /// The limit functions of `1/m (1 + z + ... + z^(m-1))^2` are splines of degree one, for each arity. The words of
+    /// a proof have digits for ten letters; above, none is sought, and norms do without.
+    #[test]
+    fn proofs_for_large_arities() {
+        let linear = |m: usize| scheme(&format!("1/{m}*((1-z^{m})/(1-z))^2"), m);
+        let verdict = |m: usize, n: usize| {
+            continuity_at("linear", linear(m).mask(), n, &Sharpness::default()).map(|v| v.0)
+        };
+        assert_eq!(verdict(10, 0).expect("readable"), PointVerdict::Proved);
+        for m in [11, 64, 100] {
+            let scheme = linear(m);
+            let errors = [
+                verdict(m, 0).expect_err("not readable"),
+                crate::regularity("linear", scheme.mask(), &Options::default())
+                    .expect_err("not readable"),
+            ];
+            for error in errors {
+                assert_eq!(error.code(), "budget", "{m}");
+                assert!(error.message().contains(&format!("words of {m} letters")), "{error}");
+            }
+            let norms = crate::norm_values(scheme.mask(), 0, 1, crate::Budget::default());
+            let norms = norms.expect("small enough").expect("it is divisible");
+            assert_eq!(norms, [Rational::new(1.into(), m.into())]);
+        }
+        // 1 at z = 1, so that the factor leaves a scheme a scheme.
+        let plane = scheme("1/11*((1-z^11)/(1-z))^2*(1+(u+v*z)*(1-z))", 11);
+        let error = crate::smooth_window("plane", plane.mask()).expect_err("not readable");
+        assert_eq!(error.code(), "budget");
     }
 }

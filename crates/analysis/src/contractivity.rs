@@ -44,13 +44,6 @@ pub struct Work {
     pub solved: usize,
 }
 
-impl NormRange {
-    /// The lowest level whose norm is below 1 at `t`, if there is one.
-    pub fn level_at(&self, t: &RealAlgebraic) -> Option<u32> {
-        self.levels.iter().position(|region| region.contains(t)).map(|l| l as u32 + 1)
-    }
-}
-
 /// The set of values of `parameter` for which `‖c_n^L‖ < 1` for some `L ≤ max_level`, exactly: a
 /// finite union of open intervals with real algebraic ends, or of points where `σ^(n+1)` divides
 /// the symbol at isolated values only. There `S_a` is C^n.

@@ -6,6 +6,7 @@ use refinable_reals::{Interval, Region};
 use refinable_scheme::{Diagnostic, Normalised};
 use refinable_spectral::{Options, PlanePencil, Window, decay, outline, slowest};
 
+use crate::budget::expect_readable_words;
 use crate::line::{Line, letters};
 use crate::map::divisible_plane;
 use crate::plane::Plane;
@@ -64,7 +65,7 @@ const STEPS: i64 = 512;
 /// The box that shows where the family is smooth, with some margin.
 ///
 /// # Errors
-/// Code `parameters` or `pole` if the family has no map.
+/// Code `parameters` if the family has no map, `budget` if its arity is above ten.
 pub fn smooth_window(name: &str, mask: &Normalised) -> Result<Window, Diagnostic> {
     let plane = Plane::new(name, mask)?;
     Ok(outline(&plane.pencil_in_parameters(plane.order().max(1), &bound(&plane))))
@@ -79,8 +80,8 @@ fn bound(plane: &Plane) -> Rational {
 /// where a higher power of `σ` divides. Where they are is searched for; the exponents are proved.
 ///
 /// # Errors
-/// Code `parameters` or `pole` if the family has no map, `box` if the box is empty, `divisibility` if
-/// `σ` does not divide.
+/// Code `parameters` if the family has no map, `budget` if its arity is above ten, `box` if the box is empty,
+/// `divisibility` if `σ` does not divide.
 ///
 /// # Cost
 /// A search with floats over the box and along each line, and [`regularity`] for the best members found.
@@ -194,8 +195,8 @@ fn slowest_between(line: &Line, span: [Rational; 2], tolerances: &[u32]) -> Vec<
 /// The smoothest member of a family of one parameter that is found in a set of its values, where the family
 /// converges, and its exponent. Where it is is searched for; the exponent is proved.
 ///
-/// `None` if no exponent was enclosed: the family runs along no line of masks, or the set is empty or holds single irrational
-/// values only. Unbounded intervals are not searched.
+/// `None` if no exponent was enclosed: the family runs along no line of masks, its arity is above ten, or the set is
+/// empty or holds single irrational values only. Unbounded intervals are not searched.
 ///
 /// # Cost
 /// One search with floats for each interval, and [`regularity`] at one value or a few.
@@ -205,6 +206,7 @@ pub fn smoothest_in(
     region: &Region,
 ) -> Option<(Rational, Regularity)> {
     let line = Line::new(name, mask)?;
+    expect_readable_words(mask.arity()).ok()?;
     let certified = |t: Rational| {
         let member = mask.at(std::slice::from_ref(&t)).ok()?;
         Some((t, regularity(name, &member, &Options::default()).ok()?))

@@ -17,6 +17,7 @@
 //! | `stability` | where smoothness follows contraction; reduced masks |
 //! | `continuity`, `proof` | [`ContinuityRange`]: where C^n holds and fails, with the certificate |
 //! | `regularity` | [`Regularity`]: the Hölder exponent of one scheme |
+//! | `interproximation` | the exponent at the kept vertices, and the tensions that make it largest |
 //! | `classification` | [`Classification`]: interpolatory, approximating, combined, relaxed |
 //! | `budget` | [`Budget`]: limits, checked before work starts |
 

@@ -8,6 +8,7 @@ use refinable_reals::{RealAlgebraic, Region, simple_roots};
 use refinable_scheme::{Diagnostic, Normalised};
 use refinable_spectral::Pencil;
 
+use crate::budget::{expect_readable_words, unreadable};
 use crate::difference::ClearedSymbol;
 use crate::rational_map::RationalMap;
 
@@ -199,11 +200,6 @@ impl Line {
         self.parameter.as_ref()
     }
 
-    /// `P` and `Q` if the family is not the line itself.
-    pub fn substitution(&self) -> Option<(&Polynomial<Rational>, &Polynomial<Rational>)> {
-        self.curve.as_ref().map(|curve| (&curve.line.0, &curve.line.1))
-    }
-
     /// `p` and `q` of the masks `p + x q`.
     pub fn parts(&self) -> (&Laurent<Rational>, &Laurent<Rational>) {
         (&self.base, &self.direction)
@@ -241,17 +237,14 @@ impl Line {
         (lowest, (highest - lowest) as usize + 1)
     }
 
-    /// Asked before a search that may be long: whether a certificate about the line is of a size that is read.
+    /// Asked before a search that may be long: whether a certificate about the line is of a size that is read, and its
+    /// words have letters that are.
     ///
     /// # Errors
     /// Code `budget`, with what is too large.
     pub(crate) fn expect_readable_proofs(&self) -> Result<(), Diagnostic> {
-        self.family(self.order()).fits().map_err(|what| {
-            Diagnostic::new("budget", format!("a proof would have {what}, and no checker reads it"))
-                .with_hint(
-                    "`refinable norm SCHEME -n N --level L` bounds the differences all the same",
-                )
-        })
+        expect_readable_words(self.arity)?;
+        self.family(self.order()).fits().map_err(unreadable)
     }
 
     /// The family as a certificate has it.

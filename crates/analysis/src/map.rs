@@ -74,7 +74,7 @@ pub struct Area {
 /// The box that shows where C^n holds, with some margin.
 ///
 /// # Errors
-/// Code `parameters` or `pole` if the family has no map.
+/// Code `parameters` if the family has no map, `budget` if its arity is above ten.
 pub fn default_window(
     name: &str,
     mask: &Normalised,
@@ -96,7 +96,7 @@ fn bound(plane: &Plane, order: usize, continuity: usize) -> Rational {
 /// Divides a box into pieces on which C^n is proved, refuted or left undecided.
 ///
 /// # Errors
-/// Those of `divisible_plane`: code `parameters`, `pole`, `box` or `divisibility`; `certificate` if
+/// Those of `divisible_plane`: code `parameters`, `budget`, `box` or `divisibility`; `certificate` if
 /// the proof does not hold or the family is too large for it.
 ///
 /// # Cost
@@ -175,8 +175,8 @@ fn invalid(invalid: refinable_certificate::Invalid) -> Diagnostic {
 /// The plane of a family that can be looked at in a box.
 ///
 /// # Errors
-/// Code `parameters` or `pole` if the family has no map, `box` if the box is empty, `divisibility` if `σ` does
-/// not divide.
+/// Code `parameters` if the family has no map, `budget` if its arity is above ten, `box` if the box is empty,
+/// `divisibility` if `σ` does not divide.
 pub(crate) fn divisible_plane(
     name: &str,
     mask: &Normalised,

@@ -9,6 +9,7 @@ use refinable_certificate::{Chart, Number, PlaneFamily, Terms};
 use refinable_scheme::{Diagnostic, Normalised};
 use refinable_spectral::PlanePencil;
 
+use crate::budget::expect_readable_words;
 use crate::line::letters;
 
 /// A family of masks that are polynomials, or rational functions, of two coordinates `x` and `y`.
@@ -40,8 +41,10 @@ impl Plane {
     /// The surface of masks of a family.
     ///
     /// # Errors
-    /// Code `parameters` unless exactly two are free.
+    /// Code `parameters` unless exactly two are free; `budget` for an arity above ten, as no proof with its words would
+    /// be read.
     pub fn new(name: &str, mask: &Normalised) -> Result<Plane, Diagnostic> {
+        expect_readable_words(mask.arity())?;
         let parameters: Vec<Parameter> = mask.parameters().into_iter().collect();
         let parameters: [Parameter; 2] =
             parameters.try_into().map_err(|free: Vec<Parameter>| {

@@ -156,10 +156,9 @@ fn bounds(
     from: &RealAlgebraic,
     to: &RealAlgebraic,
 ) -> (Rational, Rational) {
-    let width = Rational::new(1.into(), Integer::from(1) << 80usize);
     let whole = Rational::from_i64(order as i64 - 1);
-    let lower = logarithm(&from.enclosure(&width).0, line.arity(), BITS).0;
-    let upper = logarithm(&to.enclosure(&width).1, line.arity(), BITS).1;
+    let lower = logarithm(&from.relative_enclosure(80).0, line.arity(), BITS).0;
+    let upper = logarithm(&to.relative_enclosure(80).1, line.arity(), BITS).1;
     (&whole + lower, whole + upper)
 }
 
@@ -170,4 +169,40 @@ fn continuity(line: &Line, order: usize, from: &RealAlgebraic) -> Option<usize> 
         let threshold = Rational::one() / arity.power((order - 1 - n) as u32);
         *from > RealAlgebraic::from(threshold)
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use refinable_algebra::{Ordered, rational};
+    use refinable_scheme::Scheme;
+
+    fn found(text: &str) -> Result<Regularity, Diagnostic> {
+        regularity(text, Scheme::resolve(text, 2)?.mask(), &Options::default())
+    }
+
+    /// For large tensions the matrices are nearly a multiple of the tension: twice of it costs one derivative.
+    #[test]
+    fn large_tensions_have_small_exponents() {
+        let near = rational(1, 1_000_000);
+        for power in [12, 17, 30] {
+            let [one, two] = [1, 2].map(|k| found(&format!("fourpoint({k}*10^{power})")));
+            let (one, two) = (one.expect("bounds"), two.expect("bounds"));
+            assert_eq!((one.continuity, two.continuity), (None, None));
+            for each in [&one, &two] {
+                assert!(each.lower <= each.upper && &each.upper - &each.lower < near, "10^{power}");
+            }
+            let step = one.lower - two.lower;
+            assert!((step - rational(1, 1)).absolute() < near, "10^{power}");
+        }
+    }
+
+    /// Where floats overflow nothing is found, and said.
+    #[test]
+    fn tensions_beyond_floats() {
+        for power in [40, 200, 400] {
+            let error = found(&format!("fourpoint(10^{power})")).expect_err("beyond floats");
+            assert_eq!(error.code(), "regularity", "10^{power}");
+        }
+    }
 }

@@ -236,8 +236,7 @@ fn sylvester(p: &Polynomial<Rational>, m: usize, q: &Polynomial<Rational>, n: us
     let (dq, q) = q.cleared();
     let entry = |i: usize, j: usize| {
         let (polynomial, shift, degree) = if i < n { (&p, i, m) } else { (&q, i - n, n) };
-        let position = (j + degree).checked_sub(shift + degree);
-        position
+        j.checked_sub(shift)
             .filter(|k| *k <= degree)
             .map_or_else(Integer::zero, |k| polynomial.coefficient(degree - k))
     };

@@ -106,6 +106,23 @@ impl RealAlgebraic {
         self.refined_until(|lower, upper| upper - lower <= *width).bounds()
     }
 
+    /// Bounds whose distance is at most `2^-bits` of either.
+    ///
+    /// # Panics
+    /// If the number is zero.
+    ///
+    /// # Cost
+    /// One evaluation of the polynomial per halving.
+    pub fn relative_enclosure(&self, bits: u32) -> (Rational, Rational) {
+        assert!(*self != Rational::zero().into(), "zero has no leading bits");
+        let scale = Rational::from(integer(1) << bits);
+        let enough = |lower: &Rational, upper: &Rational| {
+            let least = lower.absolute().min(upper.absolute());
+            lower.compare_to_zero() == upper.compare_to_zero() && (upper - lower) * &scale <= least
+        };
+        self.refined_until(enough).bounds()
+    }
+
     /// The same number with a tighter interval, halved until `enough(lower, upper)`.
     pub(crate) fn refined_until(&self, enough: impl Fn(&Rational, &Rational) -> bool) -> Self {
         let mut current = self.clone();
@@ -229,7 +246,10 @@ impl RealAlgebraic {
         }
     }
 
-    /// `self` rounded to `digits` significant digits, as text.
+    /// `self` rounded to `digits ≥ 1` significant digits, as text.
+    ///
+    /// # Panics
+    /// If `digits` is zero.
     pub fn decimal(&self, digits: u32) -> String {
         let x = self.simplified();
         let text = |x: &Rational| decimal(x, digits);

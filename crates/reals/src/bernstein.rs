@@ -24,7 +24,8 @@ impl Bernstein {
     /// If `degree` is below the degree of the polynomial.
     ///
     /// # Cost
-    /// `O(degree²)` additions in Z after `2 · degree` products.
+    /// `degree²/2` products in Z with the numerator of the lower end, none if that is zero; `degree²` additions, and
+    /// a few products for each coefficient.
     pub fn new(
         polynomial: &Polynomial<Integer>,
         degree: usize,

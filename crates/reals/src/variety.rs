@@ -78,7 +78,8 @@ impl Component {
     /// The part of the piece where `g` vanishes, in the space of the given parameters.
     ///
     /// # Errors
-    /// [`Unsolved`] for a proper intersection of hypersurfaces in three or more.
+    /// [`Unsolved`] for a proper intersection of hypersurfaces in three or more, and for polynomials of a total degree
+    /// above 200, or above 24 in several parameters, that have to be solved.
     pub fn intersect(
         &self,
         g: &ParameterPolynomial,

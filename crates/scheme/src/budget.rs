@@ -244,7 +244,7 @@ fn monomials(parameters: u64, degree: u64) -> u64 {
     count
 }
 
-fn at_most_terms(terms: u64) -> Result<(), Diagnostic> {
+pub(crate) fn at_most_terms(terms: u64) -> Result<(), Diagnostic> {
     if terms <= MOST_TERMS {
         return Ok(());
     }

@@ -2,9 +2,13 @@
 //!
 //! With `σ = (1+z)²/(4z)` and `δ = -(1-z)²/(4z)`, `σ + δ = 1`.
 
+use std::fmt::Display;
+use std::ops::RangeInclusive;
+use std::str::FromStr;
+
 use refinable_algebra::{Laurent, ParameterPolynomial, Rational, Ring};
 
-use crate::budget::Budget;
+use crate::budget::{Budget, FARTHEST_INDEX};
 use crate::diagnostic::Diagnostic;
 use crate::mask::Mask;
 use crate::quotient::Quotient;
@@ -144,7 +148,7 @@ const CONSTRUCTIONS: [Construction; 13] = [
         source: Some("Lane and Riesenfeld 1980; refine and smooth"),
         build: |arguments, depth| {
             let [scheme, k] = two(arguments, "smooth(SCHEME, k)")?;
-            smoothed(&resolved(scheme, depth)?, whole_number(k)?)
+            smoothed(&resolved(scheme, depth)?, whole_number(k, 0..=LARGEST_NUMBER)?)
         },
     },
     Construction {
@@ -189,10 +193,7 @@ const CONSTRUCTIONS: [Construction; 13] = [
         source: None,
         build: |arguments, depth| {
             let [scheme, k] = two(arguments, "shift(SCHEME, k)")?;
-            let k: i64 = k.trim().parse().map_err(|_| not_whole(k))?;
-            if k.unsigned_abs() > 1_000_000 {
-                return Err(not_whole(k.to_string().as_str()));
-            }
+            let k = whole_number(k, -FARTHEST_INDEX..=FARTHEST_INDEX)?;
             let scheme = resolved(scheme, depth)?;
             let z = Quotient::polynomial(Laurent::monomial(ParameterPolynomial::one(), k));
             let mut budget = Budget::new();
@@ -292,21 +293,24 @@ fn wrong_count(signature: &str) -> Diagnostic {
         .with_hint(format!("write {signature}"))
 }
 
-fn not_whole(text: &str) -> Diagnostic {
-    let shown: String = text.chars().take(24).collect();
-    let message = format!("`{shown}` is no whole number that fits here");
-    Diagnostic::new("construction", message).with_hint(format!("0 to {LARGEST_NUMBER} do"))
-}
-
-fn whole_number(text: &str) -> Result<u32, Diagnostic> {
-    let number: Option<u32> = text.trim().parse().ok();
-    number.filter(|k| *k <= LARGEST_NUMBER).ok_or_else(|| not_whole(text))
+/// A whole number within bounds.
+fn whole_number<T: FromStr + PartialOrd + Display>(
+    text: &str,
+    bounds: RangeInclusive<T>,
+) -> Result<T, Diagnostic> {
+    let number: Option<T> = text.trim().parse().ok();
+    number.filter(|k| bounds.contains(k)).ok_or_else(|| {
+        let shown: String = text.chars().take(24).collect();
+        let message = format!("`{shown}` is no whole number that fits here");
+        let hint = format!("{} to {} do", bounds.start(), bounds.end());
+        Diagnostic::new("construction", message).with_hint(hint)
+    })
 }
 
 fn whole_numbers<const N: usize>(arguments: &[&str]) -> Result<[u32; N], Diagnostic> {
     let mut numbers = Vec::new();
     for text in arguments {
-        numbers.push(whole_number(text)?);
+        numbers.push(whole_number(text, 0..=LARGEST_NUMBER)?);
     }
     let hint = if N == 1 { "one whole number" } else { "two whole numbers" };
     numbers.try_into().map_err(|_| wrong_count(hint))

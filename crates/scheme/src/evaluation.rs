@@ -57,10 +57,7 @@ impl<'a> Evaluator<'a> {
             NodeKind::Negate(inner) => Ok(self.evaluate(inner)?.negated()),
             NodeKind::Sum(terms) => self.sum(terms),
             NodeKind::Product(factors) => self.product(factors),
-            NodeKind::Reciprocal(divisor) => {
-                let one = Quotient::constant(ParameterPolynomial::one());
-                one.divided_by(&self.evaluate(divisor)?, self.budget)
-            }
+            NodeKind::Reciprocal(_) => unreachable!("only a product has it, and never first"),
             NodeKind::Power(base, exponent) => self.evaluate(base)?.power(*exponent, self.budget),
             NodeKind::SquareRoot(_) => {
                 Err(Diagnostic::new("irrational", "a square root is not a rational expression")

@@ -124,9 +124,9 @@ fn solved(
     shift: i64,
     parameters: &[Parameter],
 ) -> Option<Vec<ParameterFraction>> {
-    // Unknowns must not be called like the parameters of the mask.
+    // Names that nobody can type: those of the mask's parameters are others.
     let unknowns: Vec<Parameter> =
-        (0..parameters.len()).map(|k| Parameter::new(&format!("unknown_{k}"))).collect();
+        (0..parameters.len()).map(|k| Parameter::new(&format!("unknown {k}"))).collect();
     let mut member = family.clone();
     for (parameter, unknown) in parameters.iter().zip(&unknowns) {
         let value = ParameterFraction::from(ParameterPolynomial::parameter(unknown));

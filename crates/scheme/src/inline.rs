@@ -15,11 +15,11 @@ use winnow::combinator::{alt, delimited, fail, not, opt, peek, preceded, separat
 use winnow::prelude::*;
 use winnow::token::any;
 
-use crate::budget::{Budget, FARTHEST_INDEX, MOST_TERMS};
+use crate::budget::{Budget, FARTHEST_INDEX, MOST_TERMS, at_most_terms};
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::Evaluator;
 use crate::expression::{Node, NodeKind, SYMBOL_VARIABLE};
-use crate::mask::Mask;
+use crate::mask::{Mask, check_arity};
 use crate::parser::{integer, sum, sum_after, term};
 use crate::quotient::Quotient;
 use crate::reading::{Input, Reading, end, here, need, read, refuse, too_much, unexpected};
@@ -84,6 +84,7 @@ fn rules_value(
     arity: usize,
     budget: &mut Budget,
 ) -> Result<Quotient, Diagnostic> {
+    check_arity(arity).map_err(|error| error.at(text, 0..text.len()))?;
     let numbers: BTreeSet<u64> = rules.iter().map(|(class, _)| *class).collect();
     if rules.len() != arity || !numbers.iter().copied().eq(0..arity as u64) {
         let message =
@@ -110,6 +111,8 @@ impl List {
         budget: &mut Budget,
     ) -> Result<Quotient, Diagnostic> {
         let length = self.entries.len() as i64;
+        at_most_terms(((length - 1) * arity).unsigned_abs() + 1)
+            .map_err(|error| error.at(text, 0..text.len()))?;
         let first = self.first.unwrap_or(-(length - 1) / 2);
         // Backwards, with gaps: the weight of `f_{i+j}` is the coefficient of `z^(ε - mj)`.
         let zero = Node { kind: NodeKind::Number(Rational::zero()), span: 0..0 };

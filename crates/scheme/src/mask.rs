@@ -34,6 +34,15 @@ pub struct Mask {
     symbol: Quotient,
 }
 
+/// What every mask and every rule begins with.
+pub(crate) fn check_arity(arity: usize) -> Result<(), Diagnostic> {
+    if (2..=LARGEST_ARITY).contains(&arity) {
+        return Ok(());
+    }
+    let message = format!("the arity is {arity}; it must be from 2 to {LARGEST_ARITY}");
+    Err(Diagnostic::new("arity", message))
+}
+
 impl Mask {
     /// The mask with `a_{first + k} = coefficients[k]`; zeros at both ends are cut.
     ///
@@ -68,10 +77,7 @@ impl Mask {
         symbol: Quotient,
         budget: &mut Budget,
     ) -> Result<Self, Diagnostic> {
-        if !(2..=LARGEST_ARITY).contains(&arity) {
-            let message = format!("the arity is {arity}; it must be from 2 to {LARGEST_ARITY}");
-            return Err(Diagnostic::new("arity", message));
-        }
+        check_arity(arity)?;
         if symbol.is_zero() {
             let message = "every coefficient of the mask is zero";
             return Err(Diagnostic::new("zero-mask", message));

@@ -52,8 +52,8 @@ impl Scheme {
     /// ```
     ///
     /// # Errors
-    /// `unknown-scheme`, `not-normalised`, `arity` for a catalogue name with another arity than 2, and
-    /// those of [`Mask::parse`].
+    /// `unknown-scheme`, `not-normalised`, `arity` for a catalogue name with another arity than 2, `construction`
+    /// for arguments that a construction does not take, and those of [`Mask::parse`].
     pub fn resolve(text: &str, arity: usize) -> Result<Self, Diagnostic> {
         Scheme::resolve_with(text, arity, &[])
     }

@@ -84,7 +84,44 @@ fn what_is_no_construction() {
     }
     let nested = format!("{}dd4{}", "smooth(".repeat(20), ", 1)".repeat(20));
     assert_eq!(Scheme::resolve(&nested, 2).unwrap_err().code(), "budget");
-    assert!(constructions().iter().all(|c| c.signature().contains('(')));
+}
+
+/// What a hint says is true: the ends that it names are admitted, and the numbers beyond them are not.
+#[test]
+fn hints_name_the_numbers_that_do() {
+    for (start, typed, low, high) in
+        [("shift([1, 1] @ 0,", "x", -1_000_000, 1_000_000), ("smooth(dd4,", "-1", 0, 60)]
+    {
+        let resolve = |k: String| Scheme::resolve(&format!("{start} {k})"), 2);
+        let error = resolve(typed.into()).unwrap_err();
+        assert_eq!(error.hint(), Some(format!("{low} to {high} do").as_str()));
+        for k in [low, high] {
+            assert!(resolve(k.to_string()).is_ok(), "{start} {k})");
+        }
+        for k in [low - 1, high + 1] {
+            assert_eq!(resolve(k.to_string()).unwrap_err().code(), "construction", "{start} {k})");
+        }
+    }
+}
+
+/// Each signature is that of a call, by as many arguments as it names.
+#[test]
+fn signatures_are_what_is_written() {
+    for signature in constructions().iter().flat_map(|c| c.signature().split("), ")) {
+        let call = signature.trim_end_matches(')');
+        let (name, names) = call.split_once('(').unwrap();
+        let arguments = names.split(", ").map(|n| match n {
+            "SCHEME" => "dd4",
+            "m" | "k" => "4",
+            _ => "1",
+        });
+        let text = format!("{name}({})", arguments.collect::<Vec<_>>().join(", "));
+        match Scheme::resolve(&text, 2) {
+            Ok(_) => {}
+            // Nothing but `surface` takes tensor products.
+            Err(error) => assert!(error.message().contains("two variables"), "{text}: {error}"),
+        }
+    }
 }
 
 #[test]
@@ -106,6 +143,8 @@ fn masks_are_recognised() {
     has("[-u/2, 0, (1+u)/2, 1, (1+u)/2, 0, -u/2]", "fourpoint(w) with w = 1/2*u");
     has("1/128*[-5, -7, 35, 105, 105, 35, -7, -5]", "dualpseudo(2, 1)");
     has("ternaryfourpoint(t/2)", "ternaryfourpoint(mu) with mu = 1/2*t");
+    // A name that looks like that of an unknown is a name like any other.
+    has("fourpoint(2*unknown_0)", "fourpoint(w) with w = 2*unknown_0");
     let special = "1/128*[-3, -8, 12, 72, 110, 72, 12, -8, -3]";
     has(special, "pseudo(3, 1)");
     has(special, "a4 with alpha = 3/128");

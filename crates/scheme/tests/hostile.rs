@@ -62,6 +62,23 @@ fn masks_that_explode_are_refused() {
     }
 }
 
+/// A weight is followed by as many gaps as the arity says: they are counted before they are laid out.
+#[test]
+fn rules_that_explode_are_refused() {
+    let rules = |arity: usize, weights: usize| {
+        let long = format!("0: [{}]", repeated(weights, ",", |_| "1".into()));
+        let others = repeated(arity - 1, "; ", |k| format!("{}: [1]", k + 1));
+        Mask::parse(&format!("{long}; {others}"), arity)
+    };
+    // The last weight of (n - 1) m + 1 terms is one more than 20 000.
+    assert!(rules(10, 2_000).is_ok());
+    assert_eq!(rules(10, 2_001).unwrap_err().code(), "budget");
+    let error = rules(1_000, 20_000).unwrap_err();
+    assert_eq!(error.code(), "budget");
+    assert!(error.message().contains("up to 19999001 terms"), "{error}");
+    assert_eq!(rules(1_001, 20_000).unwrap_err().code(), "arity");
+}
+
 #[test]
 fn long_but_harmless_texts_are_read() {
     let chain = repeated(3_000, "-", |_| "1/3*a".to_string());
@@ -211,7 +228,8 @@ fn exercise(text: &str) -> Result<(), TestCaseError> {
         Substitution::parse(text).map(|_| ()).err(),
     ];
     for error in errors.into_iter().flatten() {
-        prop_assert!(!error.to_string().is_empty());
+        let title = format!("error[{}]: ", error.code());
+        prop_assert!(error.to_string().starts_with(&title), "{}", error);
         if let Some((shown, span)) = error.excerpt() {
             prop_assert!(shown.get(span).is_some());
         }

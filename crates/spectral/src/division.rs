@@ -331,7 +331,8 @@ impl Cover {
         let mut last = None;
         for _ in 0..MOST_STEPS {
             let left = distance(&reached);
-            if left == 0.0 {
+            // Floats come no nearer.
+            if left == 0.0 || approximate(&reached) == approximate(goal) {
                 break;
             }
             match search.step(&reached, goal, (stride / left).min(1.0), last) {
@@ -378,7 +379,7 @@ impl Cover {
     /// Between two numbers, from both of them to the middle.
     fn between(search: &Search, from: &Rational, to: &Rational) -> Self {
         let (a, b) = (approximate(from), approximate(to));
-        if from == to {
+        if a == b {
             return Cover::default();
         }
         let middle = short_dyadic((a + b) / 2.0, (b - a).abs() / 8.0);
@@ -410,6 +411,9 @@ fn prove(
         return Cover::default();
     };
     let (a, b) = (approximate_root(lower), approximate_root(upper));
+    if b <= a {
+        return Cover::default();
+    }
     // Both ends reach towards what is known inside already, or else towards each other's middle.
     let inside = |x: &Rational| {
         let x = approximate(x);
@@ -420,9 +424,15 @@ fn prove(
     solid.sort();
     if solid.is_empty() {
         let middle = short_dyadic((a + b) / 2.0, (b - a) / 8.0);
+        // Nothing can be sought where floats tell no number apart from both ends.
+        if !inside(&middle) {
+            return Cover::default();
+        }
         solid.push((middle.clone(), middle));
     }
-    let gap = approximate(&options.gap) * (b - a) * 0.5;
+    // Not narrower than floats are apart.
+    let least = f64::EPSILON * a.abs().max(b.abs());
+    let gap = (approximate(&options.gap) * (b - a) * 0.5).max(least);
     let goals = (&solid[0].0, &solid[solid.len() - 1].1);
     let (mut cover, from_upper) = rayon::join(
         || Cover::from_end(search, lower, crossings, goals.0, gap),

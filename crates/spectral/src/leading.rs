@@ -5,10 +5,10 @@ use nalgebra::{Complex, DMatrix, DVector};
 use crate::body::apply;
 use crate::word::Word;
 
-/// The spectral radius of the product along a word, per letter.
-pub(crate) fn growth(matrices: &[DMatrix<f64>], word: &Word) -> f64 {
-    let product = product(matrices, word);
-    spectral_radius(&product).powf(1.0 / word.letters().len() as f64)
+/// The spectral radius of the product along a word, per letter; `None` if floats do not find it.
+pub(crate) fn growth(matrices: &[DMatrix<f64>], word: &Word) -> Option<f64> {
+    let radius = spectral_radius(&product(matrices, word))?;
+    Some(radius.powf(1.0 / word.letters().len() as f64))
 }
 
 /// The product along a word, letters applied from left to right.
@@ -19,24 +19,22 @@ pub(crate) fn product(matrices: &[DMatrix<f64>], word: &Word) -> DMatrix<f64> {
         .fold(DMatrix::identity(d, d), |product, &letter| &matrices[usize::from(letter)] * product)
 }
 
-fn spectral_radius(matrix: &DMatrix<f64>) -> f64 {
+fn spectral_radius(matrix: &DMatrix<f64>) -> Option<f64> {
     // The iteration does not end on what is not finite.
     if matrix.iter().any(|x| !x.is_finite()) {
-        return f64::INFINITY;
+        return Some(f64::INFINITY);
     }
-    eigenvalues(matrix).first().map_or(0.0, |z| z.norm())
+    eigenvalues(matrix).first().map(|z| z.norm()).filter(|radius| !radius.is_nan())
 }
 
-/// The word that grows fastest, shorter ones preferred, and its growth per letter.
+/// The word that grows fastest, shorter ones preferred, and its growth per letter. Words of unknown growth are
+/// passed over; where no other is left, the first is taken to grow without bound.
 pub(crate) fn fastest<'a>(matrices: &[DMatrix<f64>], words: &'a [Word]) -> (&'a Word, f64) {
-    let mut best = (&words[0], growth(matrices, &words[0]));
-    for word in &words[1..] {
-        let growth = growth(matrices, word);
-        if growth > best.1 * (1.0 + 1e-12) {
-            best = (word, growth);
-        }
-    }
-    best
+    let known = words.iter().filter_map(|word| Some((word, growth(matrices, word)?)));
+    let faster = |best: (&'a Word, f64), next: (&'a Word, f64)| {
+        if next.1 > best.1 * (1.0 + 1e-12) { next } else { best }
+    };
+    known.reduce(faster).unwrap_or((&words[0], f64::INFINITY))
 }
 
 /// The vector, of maximum norm 1, that the matrix changes least when it is multiplied by `sign`,
@@ -51,7 +49,8 @@ pub(crate) fn fixed_vector(matrix: &DMatrix<f64>, sign: i32) -> Option<Vec<f64>>
     (!doubtful).then(|| of_norm_one(rows.row(least).iter().copied().collect()))
 }
 
-/// The eigenvalues, the largest first; of a complex pair the one in the upper half plane.
+/// The eigenvalues, the largest first; of a complex pair the one in the upper half plane. None if Schur's iteration
+/// does not converge.
 pub(crate) fn eigenvalues(matrix: &DMatrix<f64>) -> Vec<Complex<f64>> {
     let schur = |accuracy: f64| nalgebra::Schur::try_new(matrix.clone(), accuracy, 1_000);
     // For a few matrices the iteration stalls just above the rounding of the machine.
@@ -122,4 +121,21 @@ pub(crate) fn followed(
     let turned: Vec<Complex<f64>> = (0..d).map(|i| coordinate(&found, i) * factor).collect();
     let parts = turned.iter().map(|z| z.re).chain(turned.iter().map(|z| z.im));
     Some((near, parts.take(vector.len()).collect()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Squares of such entries overflow, and the iteration comes to nothing.
+    #[test]
+    fn words_of_unknown_growth_are_passed_over() {
+        let unknown = DMatrix::from_row_slice(2, 2, &[1e200, 1e200, 1e200, -1e200]);
+        let known = DMatrix::from_row_slice(2, 2, &[0.5, 1.0, 0.0, 0.25]);
+        let words = Word::necklaces(2, 1, false);
+        let matrices = [unknown.clone(), known];
+        assert_eq!(growth(&matrices, &words[0]), None);
+        assert_eq!(fastest(&matrices, &words), (&words[1], 0.5));
+        assert_eq!(fastest(&[unknown], &words[..1]), (&words[0], f64::INFINITY));
+    }
 }

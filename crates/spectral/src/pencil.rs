@@ -2,7 +2,7 @@
 
 use crate::float::approximate;
 use nalgebra::DMatrix;
-use refinable_algebra::{Integer, Matrix, Polynomial, Rational, Ring, clear_denominators};
+use refinable_algebra::{Integer, Matrix, Polynomial, Rational, clear_denominators};
 
 /// The matrices `B_ε(x) = P_ε + x Q_ε`, all of one size `d × d`.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -39,12 +39,6 @@ impl Pencil {
     /// Whether `B_{m-1-ε} = J B_ε J` for the reversal `J` of coordinates.
     pub fn is_mirrored(&self) -> bool {
         self.mirrored
-    }
-
-    /// Whether the matrices do not depend on `x`.
-    pub fn is_constant(&self) -> bool {
-        let d = self.dimension();
-        self.slope.iter().all(|q| *q == Matrix::from_fn(d, d, |_, _| Rational::zero()))
     }
 
     /// The matrices at `x`, rounded.

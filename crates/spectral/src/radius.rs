@@ -5,7 +5,7 @@ use refinable_certificate::{self as certificate, Lemma, Polytope};
 use refinable_reals::{RealAlgebraic, real_roots_between};
 
 use crate::division::Options;
-use crate::float::{approximate_root, dyadic};
+use crate::float::{approximate_root, leading_bits};
 use crate::leading::{fastest, growth};
 use crate::pencil::Pencil;
 use crate::rough::{Product, rough_set, sign_set};
@@ -57,7 +57,7 @@ pub fn radius(
     let search = Search { pencil, kind, words: &words, accept, work };
     let crossings: Vec<Crossing> = words
         .iter()
-        .filter(|word| growth(&matrices, word) > fastest_growth * (1.0 - 1e-9))
+        .filter(|word| growth(&matrices, word).is_some_and(|g| g > fastest_growth * (1.0 - 1e-9)))
         .flat_map(|word| crossings_of(pencil, word))
         .collect();
     match real_end(&crossings, 1.0 / fastest_growth) {
@@ -78,7 +78,7 @@ pub fn radius(
         }
         None => {
             let product = Product::new(&pencil.cleared(), word);
-            let above = dyadic((1.0 + 1e-12) / fastest_growth, 60);
+            let above = leading_bits((1.0 + 1e-12) / fastest_growth, 53)?;
             let end = RealAlgebraic::from(above);
             let expanding = rough_set(&product).contains(&end);
             expanding.then(|| bracket(&search, word, &end, word_lemma(word, &end))).flatten()
@@ -94,7 +94,7 @@ fn exact(word: &Word, end: RealAlgebraic, lemmas: Vec<Lemma>) -> Radius {
 fn bracket(search: &Search, word: &Word, to: &RealAlgebraic, upper: Lemma) -> Option<Radius> {
     let zero = Rational::from_integer(0.into());
     WIDTHS.iter().find_map(|width| {
-        let from = dyadic(approximate_root(to) * (1.0 - width), 50);
+        let from = leading_bits(approximate_root(to) * (1.0 - width), 50)?;
         // However much the finer ones took, the coarser ones are easier.
         let search = Search { work: &Work::of(WORK), ..*search };
         let Outcome::Proved(polytope, _) = search.closed(&zero, &from) else { return None };
@@ -127,8 +127,8 @@ fn crossings_of(pencil: &Pencil, word: &Word) -> Vec<Crossing> {
 
 /// The scale near `approximation` at which a word has the eigenvalue 1 or -1.
 fn real_end(crossings: &[Crossing], approximation: f64) -> Option<RealAlgebraic> {
-    let lower = dyadic(approximation * (1.0 - 1e-9), 80);
-    let upper = dyadic(approximation * (1.0 + 1e-9), 80);
+    let lower = leading_bits(approximation * (1.0 - 1e-9), 53)?;
+    let upper = leading_bits(approximation * (1.0 + 1e-9), 53)?;
     let roots = crossings
         .iter()
         .filter(|c| !refinable_algebra::Ring::is_zero(&c.determinant))

@@ -179,7 +179,7 @@ impl Search<'_> {
     fn too_far_apart(&self, ends: &Ends) -> bool {
         let both: Vec<DMatrix<f64>> = ends.inner.iter().chain(ends.end).cloned().collect();
         let words = Word::necklaces(both.len(), PROBE, false);
-        words.iter().any(|word| growth(&both, word) > 1.0 + 1e-7)
+        words.iter().any(|word| growth(&both, word).is_some_and(|growth| growth > 1.0 + 1e-7))
     }
 
     fn write(

@@ -2,6 +2,9 @@
 
 use std::fmt;
 
+/// The most words of one length that are looked at: those of eight of four letters.
+const MOST_WORDS: usize = 1 << 16;
+
 /// A product of matrices: letters are applied from left to right, `Π_w = B_{w_l} ⋯ B_{w_1}`.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub struct Word(Vec<u8>);
@@ -16,12 +19,20 @@ impl Word {
     /// that is no power of a shorter one; shorter words first. The product of any word has the
     /// spectral radius of a power of one of these.
     ///
+    /// No longer than `longest`, and no longer than that there are 65 536 words of one length: with two to
+    /// four letters of eight letters, with ten of four.
+    ///
+    /// # Panics
+    /// If there are more than 256 letters.
+    ///
     /// # Cost
     /// `letters^length` words are looked at.
     pub fn necklaces(letters: usize, longest: usize, mirrored: bool) -> Vec<Word> {
+        assert!(letters <= 256, "a letter is a byte");
         let mut all = Vec::new();
         for length in 1..=longest {
-            let count = letters.pow(length as u32);
+            let count = letters.checked_pow(length as u32);
+            let Some(count) = count.filter(|count| *count <= MOST_WORDS) else { break };
             let words = (0..count).map(|code| Word::from_code(code, letters, length));
             all.extend(words.filter(|word| {
                 word.is_lyndon() && (!mirrored || *word <= word.mirrored(letters).least_rotation())
@@ -60,7 +71,7 @@ impl Word {
 
     /// The word with `ε` replaced by `m-1-ε`.
     fn mirrored(&self, letters: usize) -> Word {
-        Word(self.0.iter().map(|&letter| letters as u8 - 1 - letter).collect())
+        Word(self.0.iter().map(|&letter| (letters - 1) as u8 - letter).collect())
     }
 }
 
@@ -91,5 +102,16 @@ mod tests {
         let counts: Vec<usize> =
             (1..=8).map(|l| all.iter().filter(|w| w.letters().len() == l).count()).collect();
         assert_eq!(counts, [2, 1, 2, 3, 6, 9, 18, 30]);
+    }
+
+    /// By Moreau's formula there are `(m^l - m) / l` aperiodic necklaces of a prime length.
+    #[test]
+    fn words_over_many_letters_are_short() {
+        for (letters, longest) in [(2, 8), (3, 8), (4, 8), (5, 6), (6, 6), (7, 5), (10, 4)] {
+            let last = Word::necklaces(letters, 8, false).pop().expect("there are words");
+            assert_eq!(last.letters().len(), longest, "{letters} letters");
+        }
+        assert_eq!(Word::necklaces(200, 8, false).len(), 200 + (200 * 200 - 200) / 2);
+        assert_eq!(Word::necklaces(256, 1, true).len(), 128);
     }
 }
