@@ -3,7 +3,7 @@
 use refinable_certificate::{CellVerdict, MapCertificate, Unreadable, verify_map};
 use serde_json::{Value, json};
 
-use crate::support::certificate;
+use crate::support::{certificate, constant_family, smooth};
 
 /// `[x, 1/2, 1-2x, 1/2, x]`, whatever `y`: the rows of `c_0` are `|x| + |1/2-x|`, one half for `x` from 0 to 1/2.
 fn map() -> Value {
@@ -128,6 +128,34 @@ fn hostile_parts() {
         }
         let found = check(&changed);
         assert!(found.as_ref().is_err_and(|error| error.contains(because)), "{place}: {found:?}");
+    }
+}
+
+/// At `x = 1/8` the mask is that of cubic B-splines.
+#[test]
+fn sections_are_about_the_masks_at_their_points() {
+    let norm = json!([{"kind": "norm", "level": 1, "from": "0", "to": "1"}]);
+    let section = |mask: &[i64], origin: &str| {
+        let family = constant_family(mask, 8, 1);
+        let certificate = certificate(&family, &smooth(0, &[["0", "1"]]), &norm);
+        json!({"origin": [origin, "0"], "direction": ["0", "0"], "certificate": certificate})
+    };
+    let with = |mut section: Value, lowest: i64| {
+        let mut changed = map();
+        section["certificate"]["family"]["lowest"] = json!(lowest);
+        changed["sections"] = json!([section]);
+        check(&changed).map(|_| ())
+    };
+    let (cubic, linear) = ([1, 4, 6, 4, 1], [0, 4, 8, 4, 0]);
+    assert_eq!(with(section(&cubic, "1/8"), -2), Ok(()));
+    assert_eq!(with(section(&linear, "0"), -2), Ok(()));
+    for (section, lowest) in [
+        (section(&cubic, "1/7"), -2),
+        (section(&linear, "1/8"), -2),
+        (section(&cubic, "1/8"), -1),
+    ] {
+        let error = with(section, lowest).expect_err("other masks");
+        assert!(error.contains("other masks than those of the line"), "{error}");
     }
 }
 
