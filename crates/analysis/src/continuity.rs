@@ -357,7 +357,7 @@ mod tests {
             ];
             for error in errors {
                 assert_eq!(error.code(), "budget", "{m}");
-                assert!(error.message().contains(&format!("words of {m} letters")), "{error}");
+                assert!(error.message().contains(&format!("words over {m} letters")), "{error}");
             }
             let norms = crate::norm_values(scheme.mask(), 0, 1, crate::Budget::default());
             let norms = norms.expect("small enough").expect("it is divisible");

@@ -410,6 +410,26 @@ mod tests {
         real_roots(&poly(&[-n, 0, 1])).pop().unwrap()
     }
 
+    /// `1/√(2·10^80)` and its negative are enclosed as closely as `√2`, against their size.
+    #[test]
+    fn small_numbers_have_leading_bits() {
+        let square = integer(2) * integer(10).power(80);
+        let roots = real_roots(&Polynomial::new(vec![integer(-1), integer(0), square.clone()]));
+        for root in roots {
+            let (lower, upper) = root.relative_enclosure(20);
+            assert!(lower < upper && lower.compare_to_zero() == upper.compare_to_zero());
+            let squares = [&lower * &lower, &upper * &upper].map(|x| x * &square);
+            let near = rational(1, 1 << 18);
+            assert!(squares.iter().all(|x| (x - rational(1, 1)).absolute() < near));
+        }
+    }
+
+    #[test]
+    #[should_panic(expected = "no leading bits")]
+    fn zero_has_no_leading_bits() {
+        RealAlgebraic::from(integer(0)).relative_enclosure(1);
+    }
+
     #[test]
     fn equal_numbers_from_different_polynomials() {
         // √2 is a root of x²-2 and of (x²-2)(x-7)(x²-3).
