@@ -1,7 +1,7 @@
 //! From below: where the product along a word has spectral radius at least one.
 
 use refinable_algebra::{Integer, Matrix, Polynomial, Rational, Ring};
-use refinable_reals::{Bound, RealAlgebraic, Region, real_roots, sample_between};
+use refinable_reals::{Interval, Region, real_roots};
 
 use crate::schur::{inner_determinant, is_schur_stable};
 use crate::word::Word;
@@ -159,8 +159,8 @@ fn not_positive(factors: &[Polynomial<Integer>]) -> Region {
     if factors.iter().any(Ring::is_zero) {
         return Region::line();
     }
-    let roots = Region::points(factors.iter().flat_map(real_roots)).ends();
-    union_of_gaps(&roots, |sample| {
+    let roots = Region::points(factors.iter().flat_map(real_roots));
+    cuts_and_gaps(&roots, |sample| {
         factors.iter().filter(|p| p.sign_at(sample).is_lt()).count() % 2 == 1
     })
 }
@@ -187,17 +187,12 @@ pub(crate) fn rough_set(product: &Product) -> Region {
         let at = characteristic.coefficients().iter().map(|c| c.value_at(sample));
         is_schur_stable(&Polynomial::new(at.collect::<Vec<Rational>>()).cleared().1)
     };
-    union_of_gaps(&cuts.ends(), |sample| !characteristics.iter().all(|c| is_stable(c, sample)))
+    cuts_and_gaps(&cuts, |sample| !characteristics.iter().all(|c| is_stable(c, sample)))
 }
 
 /// The cuts, and the open intervals between them whose samples satisfy a condition.
-fn union_of_gaps(cuts: &[RealAlgebraic], holds: impl Fn(&Rational) -> bool) -> Region {
-    let open = |x: Option<&RealAlgebraic>| x.map_or(Bound::Infinite, |x| Bound::Open(x.clone()));
-    let gaps = (0..=cuts.len()).filter_map(|i| {
-        let (lower, upper) = (i.checked_sub(1).map(|i| &cuts[i]), cuts.get(i));
-        holds(&sample_between(lower, upper)).then(|| Region::interval(open(lower), open(upper)))
-    });
-    Region::union_of(gaps.chain([Region::points(cuts.iter().cloned())]))
+fn cuts_and_gaps(cuts: &Region, holds: impl Fn(&Rational) -> bool) -> Region {
+    Interval::LINE.gaps_where(&cuts.ends(), holds).union(cuts)
 }
 
 #[cfg(test)]
