@@ -365,7 +365,7 @@ mod tests {
         }
         // 1 at z = 1, so that the factor leaves a scheme a scheme.
         let plane = scheme("1/11*((1-z^11)/(1-z))^2*(1+(u+v*z)*(1-z))", 11);
-        let error = crate::smooth_window("plane", plane.mask()).expect_err("not readable");
+        let error = crate::default_window("plane", plane.mask(), 0).expect_err("not readable");
         assert_eq!(error.code(), "budget");
     }
 }

@@ -53,7 +53,7 @@ pub use contractivity::{NormRange, Work, norm_range, norm_values};
 pub use degrees::{Degrees, GenerationDegree, ReproductionDegree, Stratum, degrees};
 pub use difference::{ClearedSymbol, DifferenceSymbol};
 pub use interproximation::{TensionChoice, interpolating_value, interproximate_tensions};
-pub use landscape::{Landscape, Locus, Summit, landscape, smooth_window, smoothest_in};
+pub use landscape::{Landscape, Locus, Summit, landscape, smoothest_in};
 pub use line::Line;
 pub use map::{Area, Fineness, Map, MapVerdict, certified_map, default_window, map};
 pub use norm::{Comparison, Norm, NormRow, PointwiseNorm};

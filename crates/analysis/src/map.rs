@@ -14,7 +14,7 @@ use refinable_scheme::{Diagnostic, Normalised};
 use refinable_spectral::{Effort, Window, outline, partition};
 
 use crate::continuity::{Sharpness, region_of};
-use crate::line::Line as LineOfMasks;
+use crate::line::{Line as LineOfMasks, radius_bound};
 use crate::plane::Plane;
 use crate::proof::Proof;
 
@@ -81,16 +81,10 @@ pub fn default_window(
     continuity: usize,
 ) -> Result<Window, Diagnostic> {
     let plane = Plane::new(name, mask)?;
-    let order = plane.order();
+    let order = plane.order().max(1);
     // Beyond the order C^n holds on curves only: show where the highest order below holds.
-    let bound = bound(&plane, order, continuity.min(order.saturating_sub(1)));
-    Ok(outline(&plane.pencil_in_parameters(order.max(1), &bound)))
-}
-
-/// `m^(k-1-n)`.
-fn bound(plane: &Plane, order: usize, continuity: usize) -> Rational {
-    let exponent = (order.max(1) - 1).saturating_sub(continuity);
-    Rational::from_i64(plane.arity() as i64).power(exponent as u32)
+    let bound = radius_bound(plane.arity(), order, continuity.min(order - 1));
+    Ok(outline(&plane.pencil_in_parameters(order, &bound)))
 }
 
 /// Divides a box into pieces on which C^n is proved, refuted or left undecided.
@@ -122,7 +116,7 @@ pub fn map(
     let parts = parts_of_box(&family, &numbers).map_err(invalid)?;
     let (roots, mut nodes, sections);
     if continuity < order {
-        let pencil = plane.pencil(order, &bound(&plane, order, continuity));
+        let pencil = plane.pencil(order, &radius_bound(plane.arity(), order, continuity));
         let effort = Effort { rest: fineness.undecided.clone(), nodes: fineness.nodes };
         (roots, nodes) = partition(&pencil, &checker, &parts, plane.factor(), &effort);
         if continuity > 0 && stable_at.is_none() {
