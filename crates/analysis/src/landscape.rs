@@ -218,7 +218,7 @@ fn places_in(line: &Line, interval: &Interval) -> Vec<Rational> {
     let Some(span) = line.span(&ends) else { return Vec::new() };
     let places = slowest_between(line, span, &COARSE);
     // The search may come to an end that does not belong to the interval: beside it then.
-    let region = Region::interval(interval.lower.clone(), interval.upper.clone());
+    let region = Region::from(interval);
     let middle = (&ends[0] + &ends[1]) / Rational::from_i64(2);
     let inward = |t: Rational| match region.contains_rational(&t) {
         true => t,

@@ -94,7 +94,7 @@ impl<'a> Proof<'a> {
         let levels = level_sets(&symbol, None, self.sharpness.level, &mut Work::default());
         let parts = Region::union_of(levels.iter().cloned()).intervals();
         let longest = parts.into_iter().filter_map(|part| {
-            let part = Region::interval(part.lower, part.upper);
+            let part = Region::from(&part);
             let candidates = (1..).zip(&levels).flat_map(|(level, region)| {
                 let inside = region.intersection(&part).intervals().into_iter();
                 inside.filter_map(move |interval| {

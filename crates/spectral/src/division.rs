@@ -235,7 +235,7 @@ impl<'a> Expansion<'a> {
         let mut lemmas = Vec::new();
         for known in &self.known {
             for interval in known.region.intervals() {
-                let region = Region::interval(interval.lower.clone(), interval.upper.clone());
+                let region = Region::from(&interval);
                 if region.is_subset(&covered) {
                     continue;
                 }
@@ -270,9 +270,8 @@ fn with_short_ends(region: &Region, known: &Region) -> Region {
             Bound::Closed(short_dyadic_of(&end, lower).into())
         }
     };
-    let intervals = region.intervals().into_iter().filter(|interval| {
-        !Region::interval(interval.lower.clone(), interval.upper.clone()).is_subset(known)
-    });
+    let intervals =
+        region.intervals().into_iter().filter(|interval| !Region::from(interval).is_subset(known));
     Region::union_of(intervals.map(|interval| {
         Region::interval(inward(&interval.lower, true), inward(&interval.upper, false))
     }))

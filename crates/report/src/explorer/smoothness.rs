@@ -130,7 +130,7 @@ fn range_data(range: &ContinuityRange) -> Value {
 fn intervals(region: &Region, verdict: &str, variable: &str) -> Vec<Value> {
     let data = |interval: &Interval| {
         let end = |bound: &Bound| bound.number().map_or(Value::Null, number);
-        let alone = Region::interval(interval.lower.clone(), interval.upper.clone());
+        let alone = Region::from(interval);
         json!({
             "verdict": verdict,
             "lower": end(&interval.lower),
