@@ -1,8 +1,11 @@
 //! From below: where the product along a word has spectral radius at least one.
 
+use std::slice;
+
 use refinable_algebra::{Integer, Matrix, Polynomial, Rational, Ring};
 use refinable_reals::{Interval, Region, real_roots};
 
+use crate::pencil::is_mirrored;
 use crate::schur::{inner_determinant, is_schur_stable};
 use crate::word::Word;
 
@@ -28,12 +31,11 @@ impl Product {
         let factor = |length: usize| denominator.power(length as u32);
         let letters = word.letters();
         let half = &letters[..letters.len() / 2];
-        let root =
-            (are_mirrored(matrices) && word.is_its_mirror_image(matrices.len())).then(|| {
-                let product = along(half);
-                let turned = Matrix::from_fn(d, d, |i, j| product.entry(d - 1 - i, j).clone());
-                (turned, factor(half.len()))
-            });
+        let root = (is_mirrored(matrices) && word.is_its_mirror_image(matrices.len())).then(|| {
+            let product = along(half);
+            let turned = Matrix::from_fn(d, d, |i, j| product.entry(d - 1 - i, j).clone());
+            (turned, factor(half.len()))
+        });
         Product { matrix: along(letters), factor: factor(letters.len()), root }
     }
 
@@ -112,9 +114,7 @@ fn blocks(matrix: &Matrix<Polynomial<Integer>>) -> Vec<Matrix<Polynomial<Integer
     }
     let n = to - from;
     let rest = part(from, to);
-    let turned =
-        (0..n).all(|i| (0..n).all(|j| rest.entry(i, j) == rest.entry(n - 1 - i, n - 1 - j)));
-    if n > 1 && turned {
+    if n > 1 && is_mirrored(slice::from_ref(&rest)) {
         // On vectors that are, up to the sign, the same read backwards.
         let (entry, mirror) = (|i, j| rest.entry(i, j), |j: usize| n - 1 - j);
         let half = n.div_ceil(2);
@@ -126,15 +126,6 @@ fn blocks(matrix: &Matrix<Polynomial<Integer>>) -> Vec<Matrix<Polynomial<Integer
         blocks.push(rest);
     }
     blocks
-}
-
-/// Whether `B_{m-1-ε} = J B_ε J`.
-fn are_mirrored(matrices: &[Matrix<Polynomial<Integer>>]) -> bool {
-    let d = matrices[0].shape().0;
-    let mirror = |m: &Matrix<Polynomial<Integer>>| {
-        Matrix::from_fn(d, d, |i, j| m.entry(d - 1 - i, d - 1 - j).clone())
-    };
-    matrices.iter().zip(matrices.iter().rev()).all(|(a, b)| mirror(a) == *b)
 }
 
 /// Where a real eigenvalue of modulus at least one shows in a sign: `det(I - Π_w) ≤ 0` or
