@@ -8,7 +8,7 @@ use refinable_reals::{Bound, Interval, RealAlgebraic, Region};
 use crate::float::{approximate, approximate_root, short_dyadic};
 use crate::leading::fastest;
 use crate::pencil::Pencil;
-use crate::rough::{Product, rough_set, sign_set};
+use crate::rough::{Product, SignSet, rough_set, sign_set};
 use crate::search::{Crossing, Outcome, Search, certificate_end, real_algebraic};
 use crate::word::Word;
 use crate::work::Work;
@@ -196,13 +196,8 @@ impl<'a> Expansion<'a> {
             known.region = before.union(&with_short_ends(&rough_set(&product), &before));
             return known.region != before;
         }
-        let signs = sign_set(&product);
-        let crossings = signs
-            .determinants
-            .into_iter()
-            .map(|(sign, determinant)| Crossing { word: word.clone(), sign, determinant })
-            .collect();
-        let region = signs.region;
+        let SignSet { determinants, region } = sign_set(&product);
+        let crossings = Crossing::all(word, determinants);
         self.known.push(KnownWord { word: word.clone(), crossings, region, complete: false });
         true
     }
