@@ -47,5 +47,5 @@ pub use number::{
 };
 pub use parameter::{Monomial, Parameter};
 pub use parameter_polynomial::ParameterPolynomial;
-pub use polynomial::Polynomial;
+pub use polynomial::{Polynomial, push_sign};
 pub use ring::{Domain, GcdDomain, Ordered, Ring};
