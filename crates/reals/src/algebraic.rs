@@ -278,7 +278,7 @@ fn short_between(a: &Rational, b: &Rational) -> Rational {
     let gap = b - a;
     let extra = bit_length(gap.denom()).saturating_sub(bit_length(gap.numer())) + 2;
     let middle = (a + b) / integer(2);
-    let candidate = refinable_algebra::floor_half_power(&middle, extra as u32);
+    let candidate = refinable_algebra::dyadic_floor(&middle, extra as u32);
     if *a < candidate && candidate < *b { candidate } else { middle }
 }
 
