@@ -42,10 +42,10 @@ pub use fraction::{ParameterFraction, Pole};
 pub use laurent::Laurent;
 pub use matrix::Matrix;
 pub use number::{
-    Integer, Rational, binomial, bit_length, clear_denominators, decimal, floor_half_power,
-    integer, integer_square_root, least_common_multiple, parse_rational, rational,
+    Integer, Rational, binomial, bit_length, clear_denominators, decimal, dyadic_floor, integer,
+    integer_square_root, least_common_multiple, parse_rational, rational,
 };
 pub use parameter::{Monomial, Parameter};
 pub use parameter_polynomial::ParameterPolynomial;
-pub use polynomial::Polynomial;
+pub use polynomial::{Polynomial, push_sign};
 pub use ring::{Domain, GcdDomain, Ordered, Ring};

@@ -91,7 +91,7 @@ pub fn binomial(n: u32, k: u32) -> Integer {
 }
 
 /// `⌊x · 2^bits⌋ / 2^bits`: the largest dyadic number with that many fractional bits below `x`.
-pub fn floor_half_power(x: &Rational, bits: u32) -> Rational {
+pub fn dyadic_floor(x: &Rational, bits: u32) -> Rational {
     let scale = integer(1) << bits;
     let scaled = (x.numer() * &scale).div_floor(x.denom());
     Rational::new(scaled, scale)
@@ -290,7 +290,7 @@ mod tests {
 
     #[test]
     fn flooring_to_dyadics_is_from_below() {
-        assert_eq!(floor_half_power(&rational(-1, 3), 2), rational(-1, 2));
-        assert_eq!(floor_half_power(&rational(3, 4), 2), rational(3, 4));
+        assert_eq!(dyadic_floor(&rational(-1, 3), 2), rational(-1, 2));
+        assert_eq!(dyadic_floor(&rational(3, 4), 2), rational(3, 4));
     }
 }

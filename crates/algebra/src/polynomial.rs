@@ -209,13 +209,7 @@ impl Polynomial<Integer> {
 
 /// Appends `± c*power` to a sum; a coefficient of one is left out, an empty power is a constant.
 pub(crate) fn push_term(text: &mut String, coefficient: &Rational, power: &str) {
-    let negative = coefficient.compare_to_zero() == Ordering::Less;
-    text.push_str(match (text.is_empty(), negative) {
-        (true, false) => "",
-        (true, true) => "-",
-        (false, false) => " + ",
-        (false, true) => " - ",
-    });
+    push_sign(text, coefficient.compare_to_zero() == Ordering::Less);
     let size = coefficient.absolute();
     if power.is_empty() {
         text.push_str(&size.to_string());
@@ -224,6 +218,25 @@ pub(crate) fn push_term(text: &mut String, coefficient: &Rational, power: &str) 
     } else {
         text.push_str(&format!("{size}*{power}"));
     }
+}
+
+/// Appends what stands before the next term of a sum: `+` or `-` between blanks, at the start `-` or nothing.
+///
+/// ```
+/// let mut sum = String::new();
+/// for (negative, term) in [(true, "x"), (false, "y"), (true, "z")] {
+///     refinable_algebra::push_sign(&mut sum, negative);
+///     sum.push_str(term);
+/// }
+/// assert_eq!(sum, "-x + y - z");
+/// ```
+pub fn push_sign(text: &mut String, negative: bool) {
+    text.push_str(match (text.is_empty(), negative) {
+        (true, false) => "",
+        (true, true) => "-",
+        (false, false) => " + ",
+        (false, true) => " - ",
+    });
 }
 
 impl fmt::Display for Polynomial<Integer> {

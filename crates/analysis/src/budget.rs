@@ -29,7 +29,7 @@ pub(crate) fn expect_readable_words(arity: usize) -> Result<(), Diagnostic> {
     if arity <= MOST_LETTERS {
         return Ok(());
     }
-    let what = format!("words of {arity} letters, where at most {MOST_LETTERS} have a digit");
+    let what = format!("words over {arity} letters, of which {MOST_LETTERS} have a digit");
     Err(unreadable(&what))
 }
 

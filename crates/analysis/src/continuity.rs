@@ -357,7 +357,7 @@ mod tests {
             ];
             for error in errors {
                 assert_eq!(error.code(), "budget", "{m}");
-                assert!(error.message().contains(&format!("words of {m} letters")), "{error}");
+                assert!(error.message().contains(&format!("words over {m} letters")), "{error}");
             }
             let norms = crate::norm_values(scheme.mask(), 0, 1, crate::Budget::default());
             let norms = norms.expect("small enough").expect("it is divisible");
@@ -365,7 +365,7 @@ mod tests {
         }
         // 1 at z = 1, so that the factor leaves a scheme a scheme.
         let plane = scheme("1/11*((1-z^11)/(1-z))^2*(1+(u+v*z)*(1-z))", 11);
-        let error = crate::smooth_window("plane", plane.mask()).expect_err("not readable");
+        let error = crate::default_window("plane", plane.mask(), 0).expect_err("not readable");
         assert_eq!(error.code(), "budget");
     }
 }

@@ -18,7 +18,8 @@ use refinable_scheme::{Diagnostic, Normalised, Rule};
 use refinable_spectral::{PlanePencil, Window, slowest};
 
 use crate::degrees::degrees;
-use crate::landscape::{landscape, smooth_window};
+use crate::landscape::landscape;
+use crate::map::default_window;
 use crate::regularity::Regularity;
 
 /// Where the free parameter of interpolating members is sought.
@@ -73,7 +74,7 @@ pub fn interproximate_tensions(name: &str, mask: &Normalised) -> Result<TensionC
             Diagnostic::new("tensions", "the masks are too long for a search").with_hint(hint)
         );
     }
-    let window = smooth_window(name, mask)?;
+    let window = default_window(name, mask, 0)?;
     let landscape = landscape(name, mask, &window, [2, 2])?;
     let Some(summit) = landscape.highest() else {
         let hint = "give the tensions yourself";

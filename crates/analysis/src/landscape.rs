@@ -4,7 +4,7 @@
 use refinable_algebra::{Integer, Rational, Ring};
 use refinable_reals::{Interval, Region};
 use refinable_scheme::{Diagnostic, Normalised};
-use refinable_spectral::{Options, PlanePencil, Window, decay, outline, slowest};
+use refinable_spectral::{Options, PlanePencil, Window, decay, slowest};
 
 use crate::budget::expect_readable_words;
 use crate::line::{Line, letters};
@@ -61,20 +61,6 @@ const COARSE: [u32; 2] = [5, 4];
 const BESIDE: i64 = 128;
 /// Steps on each line.
 const STEPS: i64 = 512;
-
-/// The box that shows where the family is smooth, with some margin.
-///
-/// # Errors
-/// Code `parameters` if the family has no map, `budget` if its arity is above ten.
-pub fn smooth_window(name: &str, mask: &Normalised) -> Result<Window, Diagnostic> {
-    let plane = Plane::new(name, mask)?;
-    Ok(outline(&plane.pencil_in_parameters(plane.order().max(1), &bound(&plane))))
-}
-
-/// `m^(k-1)`: where it bounds the radius, the family converges.
-fn bound(plane: &Plane) -> Rational {
-    Rational::from_i64(plane.arity() as i64).power(plane.order().max(1) as u32 - 1)
-}
 
 /// How the exponent runs in a box, and its largest values on the plane and on the lines and at the points
 /// where a higher power of `σ` divides. Where they are is searched for; the exponents are proved.
@@ -232,7 +218,7 @@ fn places_in(line: &Line, interval: &Interval) -> Vec<Rational> {
     let Some(span) = line.span(&ends) else { return Vec::new() };
     let places = slowest_between(line, span, &COARSE);
     // The search may come to an end that does not belong to the interval: beside it then.
-    let region = Region::interval(interval.lower.clone(), interval.upper.clone());
+    let region = Region::from(interval);
     let middle = (&ends[0] + &ends[1]) / Rational::from_i64(2);
     let inward = |t: Rational| match region.contains_rational(&t) {
         true => t,

@@ -13,6 +13,7 @@
 //! | `plane` | [`Plane`]: families of two parameters, as planes of masks |
 //! | `level_one` | the polygon that norms at level one prove, of a [`Plane`] |
 //! | `map` | [`Map`]: where in a box of two parameters C^n holds and fails, with the certificate |
+//! | `area` | [`Area`]: of parts of a map, in the plane of the parameters |
 //! | `landscape` | [`Landscape`]: the Hölder exponent over two parameters, and the smoothest members; of one parameter too |
 //! | `stability` | where smoothness follows contraction; reduced masks |
 //! | `continuity`, `proof` | [`ContinuityRange`]: where C^n holds and fails, with the certificate |
@@ -21,6 +22,7 @@
 //! | `classification` | [`Classification`]: interpolatory, approximating, combined, relaxed |
 //! | `budget` | [`Budget`]: limits, checked before work starts |
 
+mod area;
 mod budget;
 mod classification;
 mod continuity;
@@ -43,6 +45,7 @@ mod rational_map;
 mod regularity;
 mod sublevel;
 
+pub use area::Area;
 pub use budget::Budget;
 pub use classification::{Classification, classify};
 pub use continuity::{
@@ -53,9 +56,9 @@ pub use contractivity::{NormRange, Work, norm_range, norm_values};
 pub use degrees::{Degrees, GenerationDegree, ReproductionDegree, Stratum, degrees};
 pub use difference::{ClearedSymbol, DifferenceSymbol};
 pub use interproximation::{TensionChoice, interpolating_value, interproximate_tensions};
-pub use landscape::{Landscape, Locus, Summit, landscape, smooth_window, smoothest_in};
+pub use landscape::{Landscape, Locus, Summit, landscape, smoothest_in};
 pub use line::Line;
-pub use map::{Area, Fineness, Map, MapVerdict, certified_map, default_window, map};
+pub use map::{Fineness, Map, MapVerdict, certified_map, default_window, map};
 pub use norm::{Comparison, Norm, NormRow, PointwiseNorm};
 pub use piecewise::RowCondition;
 pub use plane::Plane;

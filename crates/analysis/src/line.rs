@@ -278,6 +278,12 @@ impl Line {
     }
 }
 
+/// `m^(k-1-n)`: C^n holds where the joint spectral radius of the matrices of order `k` is less; with stable
+/// shifts, only there.
+pub(crate) fn radius_bound(m: usize, order: usize, continuity: usize) -> Rational {
+    Rational::from_i64(m as i64).power((order - 1 - continuity) as u32)
+}
+
 /// The matrices `scale · A_ε[i][j] = c_{o+ε+i-mj}` of `c = a / σ^k`, for a part `a` of a mask whose first
 /// exponent and length are given.
 ///

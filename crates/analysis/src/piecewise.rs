@@ -85,34 +85,28 @@ impl RowCondition {
     /// One isolation for each polynomial of the row and one for each piece.
     pub fn region(&self, d: &Polynomial<Integer>, within: &Interval) -> Region {
         let breaks = self.breakpoints(d, within);
-        let mut ends = vec![end_of(&within.lower)];
-        ends.extend(breaks.iter().cloned().map(Some));
-        ends.push(end_of(&within.upper));
         let mut holds = Vec::new();
-        for pair in ends.windows(2) {
-            let piece = Piece { lower: pair[0].as_ref(), upper: pair[1].as_ref() };
+        for piece in within.gaps(&breaks) {
             let sample = piece.sample();
             let excess = self.excess(d, |p| p.sign_at(&sample));
-            holds.extend(piece.negative_parts(&excess));
+            holds.push(negative_part(&excess, &piece));
             // The piece's upper end, unless it is that of the whole interval.
-            if let Some(x) = piece.upper.filter(|x| breaks.contains(x))
+            if let Some(x) = piece.upper.number().filter(|x| breaks.contains(x))
                 && x.sign_of(&excess).is_lt()
             {
                 holds.push(Region::point(x.clone()));
             }
         }
-        let whole = Region::interval(within.lower.clone(), within.upper.clone());
         let closed_ends = [&within.lower, &within.upper].into_iter().filter(|b| b.is_closed());
         let at_ends = closed_ends.filter_map(Bound::number).filter(|x| self.holds_at(d, x));
         holds.extend(at_ends.cloned().map(Region::point));
-        Region::union_of(holds).intersection(&whole)
+        Region::union_of(holds).intersection(&within.into())
     }
 
     /// The distinct roots of all polynomials strictly inside the interval, ascending.
     fn breakpoints(&self, d: &Polynomial<Integer>, within: &Interval) -> Vec<RealAlgebraic> {
-        let piece = Piece { lower: within.lower.number(), upper: within.upper.number() };
         let all = self.terms.iter().map(|(p, _)| p).chain([d]);
-        let mut breaks: Vec<RealAlgebraic> = all.flat_map(|p| piece.roots(p)).collect();
+        let mut breaks: Vec<RealAlgebraic> = all.flat_map(|p| roots_inside(p, within)).collect();
         breaks.sort();
         breaks.dedup();
         breaks
@@ -123,58 +117,25 @@ fn positive(p: &Polynomial<Integer>) -> Polynomial<Integer> {
     if p.sign_at_infinity().is_lt() { p.negated() } else { p.clone() }
 }
 
-fn end_of(bound: &Bound) -> Option<RealAlgebraic> {
-    bound.number().cloned()
+/// The roots of a nonzero polynomial strictly inside an interval, ascending.
+fn roots_inside(p: &Polynomial<Integer>, within: &Interval) -> Vec<RealAlgebraic> {
+    let (lower, upper) = (within.lower.number(), within.upper.number());
+    let roots = match (lower, upper) {
+        (Some(lower), Some(upper)) => real_roots_between(p, &lower.bounds().0, &upper.bounds().1),
+        _ => real_roots(p),
+    };
+    let is_inside = |x: &RealAlgebraic| {
+        lower.is_none_or(|lower| lower < x) && upper.is_none_or(|upper| x < upper)
+    };
+    roots.into_iter().filter(is_inside).collect()
 }
 
-/// An open interval; `None` is infinity.
-struct Piece<'a> {
-    lower: Option<&'a RealAlgebraic>,
-    upper: Option<&'a RealAlgebraic>,
-}
-
-impl Piece<'_> {
-    fn contains(&self, x: &RealAlgebraic) -> bool {
-        self.lower.is_none_or(|lower| lower < x) && self.upper.is_none_or(|upper| x < upper)
+/// The part of the inside of an interval on which `p` is negative.
+fn negative_part(p: &Polynomial<Integer>, within: &Interval) -> Region {
+    if p.is_zero() {
+        return Region::empty();
     }
-
-    /// A rational number inside.
-    fn sample(&self) -> Rational {
-        let one = Rational::one();
-        match (self.lower, self.upper) {
-            (None, None) => Rational::zero(),
-            (Some(lower), None) => lower.bounds().1 + one,
-            (None, Some(upper)) => upper.bounds().0 - one,
-            (Some(lower), Some(upper)) => lower.rational_between(upper),
-        }
-    }
-
-    /// The roots of a nonzero polynomial inside, ascending.
-    fn roots(&self, p: &Polynomial<Integer>) -> Vec<RealAlgebraic> {
-        let roots = match (self.lower, self.upper) {
-            (Some(lower), Some(upper)) => {
-                real_roots_between(p, &lower.bounds().0, &upper.bounds().1)
-            }
-            _ => real_roots(p),
-        };
-        roots.into_iter().filter(|x| self.contains(x)).collect()
-    }
-
-    /// The maximal open subintervals on which `p` is negative.
-    fn negative_parts(&self, p: &Polynomial<Integer>) -> Vec<Region> {
-        if p.is_zero() {
-            return Vec::new();
-        }
-        let mut ends = vec![self.lower.cloned()];
-        ends.extend(self.roots(p).into_iter().map(Some));
-        ends.push(self.upper.cloned());
-        let parts = ends.windows(2).filter(|pair| {
-            let part = Piece { lower: pair[0].as_ref(), upper: pair[1].as_ref() };
-            p.sign_at(&part.sample()).is_lt()
-        });
-        let bound = |end: &Option<RealAlgebraic>| end.clone().map_or(Bound::Infinite, Bound::Open);
-        parts.map(|pair| Region::interval(bound(&pair[0]), bound(&pair[1]))).collect()
-    }
+    within.gaps_where(&roots_inside(p, within), |sample| p.sign_at(sample).is_lt())
 }
 
 #[cfg(test)]
@@ -186,17 +147,16 @@ mod tests {
         Polynomial::new(coefficients.iter().map(|&c| integer(c)).collect())
     }
 
-    fn line() -> Interval {
-        Interval { lower: Bound::Infinite, upper: Bound::Infinite }
-    }
-
     #[test]
     fn a_sum_of_two_absolute_values() {
         // |t| + |t - 1| < 3: -1 < t < 2
         let row = RowCondition::new(&[poly(&[0, 1]), poly(&[1, -1])]);
-        assert_eq!(row.region(&poly(&[3]), &line()), Region::open(rational(-1, 1), rational(2, 1)));
+        assert_eq!(
+            row.region(&poly(&[3]), &Interval::LINE),
+            Region::open(rational(-1, 1), rational(2, 1))
+        );
         // |t| + |t - 1| < 1 never holds, and ≤ only on [0, 1].
-        assert_eq!(row.region(&poly(&[1]), &line()), Region::empty());
+        assert_eq!(row.region(&poly(&[1]), &Interval::LINE), Region::empty());
     }
 
     #[test]
@@ -205,23 +165,23 @@ mod tests {
         let row = RowCondition::new(&[poly(&[-2, 0, 1])]);
         let expected = Region::open(rational(-2, 1), rational(0, 1))
             .union(&Region::open(rational(0, 1), rational(2, 1)));
-        assert_eq!(row.region(&poly(&[2]), &line()), expected);
+        assert_eq!(row.region(&poly(&[2]), &Interval::LINE), expected);
     }
 
     #[test]
     fn a_denominator_cuts_out_its_pole() {
         // 1 < |t|: outside [-1, 1]; and |t - 1| < |t - 1| nowhere.
         let row = RowCondition::new(&[poly(&[1])]);
-        assert_eq!(row.region(&poly(&[0, 1]), &line()).display("t"), "(-∞, -1) ∪ (1, ∞)");
+        assert_eq!(row.region(&poly(&[0, 1]), &Interval::LINE).display("t"), "(-∞, -1) ∪ (1, ∞)");
         let same = RowCondition::new(&[poly(&[-1, 1])]);
-        assert_eq!(same.region(&poly(&[-1, 1]), &line()), Region::empty());
+        assert_eq!(same.region(&poly(&[-1, 1]), &Interval::LINE), Region::empty());
     }
 
     #[test]
     fn irrational_breakpoints_inside_the_region_belong_to_it() {
         // |t² - 2| < 1: 1 < |t| < √3, across the breakpoints ±√2.
         let row = RowCondition::new(&[poly(&[-2, 0, 1])]);
-        let region = row.region(&poly(&[1]), &line());
+        let region = row.region(&poly(&[1]), &Interval::LINE);
         assert_eq!(region.display("t"), "(-sqrt(3), -1) ∪ (1, sqrt(3))");
     }
 
@@ -229,6 +189,6 @@ mod tests {
     fn signs_and_repetitions_are_merged() {
         let row = RowCondition::new(&[poly(&[1, 1]), poly(&[]), poly(&[-1, -1])]);
         assert_eq!(row.value_at(&rational(1, 2)), rational(3, 1));
-        assert_eq!(row.region(&poly(&[4]), &line()).display("t"), "(-3, 1)");
+        assert_eq!(row.region(&poly(&[4]), &Interval::LINE).display("t"), "(-3, 1)");
     }
 }

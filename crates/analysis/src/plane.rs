@@ -12,6 +12,9 @@ use refinable_spectral::PlanePencil;
 use crate::budget::expect_readable_words;
 use crate::line::letters;
 
+/// The parts of a mask by exponents of two variables.
+type Parts = BTreeMap<(u32, u32), Laurent<Rational>>;
+
 /// A family of masks that are polynomials, or rational functions, of two coordinates `x` and `y`.
 ///
 /// The coordinates are the parameters `u` and `v` themselves, or `x = u` and `y = v l(u)` with an affine
@@ -27,15 +30,12 @@ pub struct Plane {
     lowest: i64,
     length: usize,
     /// For each `x^i y^j` its coefficients in the mask, or in the numerators.
-    parts: BTreeMap<(u32, u32), Laurent<Rational>>,
+    parts: Parts,
     /// The same for `u^i v^j`.
-    in_parameters: BTreeMap<(u32, u32), Laurent<Rational>>,
+    in_parameters: Parts,
     /// The coefficients of each `x^i y^j` in the common denominator, if it is not one.
     denominator: Option<BTreeMap<(u32, u32), Rational>>,
 }
-
-/// The parts of a mask by exponents of two variables.
-type Parts = BTreeMap<(u32, u32), Laurent<Rational>>;
 
 impl Plane {
     /// The surface of masks of a family.

@@ -10,7 +10,7 @@ use refinable_spectral::{Constant, Division, certificate_end, decide, divide, ex
 
 use crate::continuity::{PointVerdict, Sharpness, region_of};
 use crate::contractivity::{Work, level_sets};
-use crate::line::Line;
+use crate::line::{Line, radius_bound};
 use crate::stability::{Instability, instability, reduction};
 
 /// A proof in the making, in the variable `x` of the line.
@@ -51,7 +51,7 @@ impl<'a> Proof<'a> {
 
     /// `n < k`: the line divided at the joint spectral radius `m^(k-1-n)`.
     fn divide(&mut self) {
-        let bound = bound(self.line, self.order, self.continuity);
+        let bound = radius_bound(self.line.arity(), self.order, self.continuity);
         let pencil = self.line.pencil(self.order, &bound);
         let norms = self.norm_intervals();
         let known: Vec<(Rational, Rational)> =
@@ -94,7 +94,7 @@ impl<'a> Proof<'a> {
         let levels = level_sets(&symbol, None, self.sharpness.level, &mut Work::default());
         let parts = Region::union_of(levels.iter().cloned()).intervals();
         let longest = parts.into_iter().filter_map(|part| {
-            let part = Region::interval(part.lower, part.upper);
+            let part = Region::from(&part);
             let candidates = (1..).zip(&levels).flat_map(|(level, region)| {
                 let inside = region.intersection(&part).intervals().into_iter();
                 inside.filter_map(move |interval| {
@@ -145,7 +145,7 @@ impl<'a> Proof<'a> {
         if doubtful.is_empty() || self.order == 0 {
             return;
         }
-        let pencil = self.line.pencil(self.order, &bound(self.line, self.order, 0));
+        let pencil = self.line.pencil(self.order, &radius_bound(self.line.arity(), self.order, 0));
         let (divergent, mut lemmas) = expanding(&pencil, &self.sharpness.spectral);
         let refuted = doubtful.intersection(&divergent);
         if refuted.is_empty() {
@@ -183,7 +183,7 @@ impl<'a> Proof<'a> {
         if order <= self.continuity {
             return (PointVerdict::Undecided, Vec::new());
         }
-        let pencil = member.pencil(order, &bound(&member, order, self.continuity));
+        let pencil = member.pencil(order, &radius_bound(member.arity(), order, self.continuity));
         // Inside an `at` lemma everything happens at the value itself.
         let accept = |polytope: &Polytope| {
             let inner = vec![Lemma::Polytope(Box::new(polytope.clone()))];
@@ -232,7 +232,7 @@ impl<'a> Proof<'a> {
         if order <= self.continuity {
             return refuted(Lemma::Indivisible { order: self.continuity + 1, except: Vec::new() });
         }
-        let pencil = reduced.pencil(order, &bound(&reduced, order, self.continuity));
+        let pencil = reduced.pencil(order, &radius_bound(reduced.arity(), order, self.continuity));
         let accept = |polytope: &Polytope| {
             self.holds(vec![of_reduced(vec![Lemma::Polytope(Box::new(polytope.clone()))])])
         };
@@ -248,7 +248,7 @@ impl<'a> Proof<'a> {
 
     /// The scheme converges at a value.
     fn convergent(&self, x: &Rational) -> Option<Lemma> {
-        let pencil = self.line.pencil(self.order, &bound(self.line, self.order, 0));
+        let pencil = self.line.pencil(self.order, &radius_bound(self.line.arity(), self.order, 0));
         let of_family = |polytope| Lemma::Convergence { lemmas: vec![Lemma::Polytope(polytope)] };
         let accept = |polytope: &Polytope| self.holds(vec![of_family(Box::new(polytope.clone()))]);
         match decide(&pencil, x, &self.sharpness.spectral, &accept) {
@@ -289,11 +289,6 @@ impl<'a> Proof<'a> {
             lemmas,
         }
     }
-}
-
-/// `m^(k-1-n)`.
-fn bound(line: &Line, order: usize, continuity: usize) -> Rational {
-    Rational::from_i64(line.arity() as i64).power((order - 1 - continuity) as u32)
 }
 
 /// The word's product has spectral radius at least one at a single value.

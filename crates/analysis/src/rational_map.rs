@@ -1,7 +1,7 @@
 //! Changes of a parameter by a rational function.
 
 use refinable_algebra::{Integer, Polynomial, Rational, Ring};
-use refinable_reals::{Bound, RealAlgebraic, Region, real_roots, sample_between};
+use refinable_reals::{Interval, RealAlgebraic, Region, real_roots};
 
 /// `x = P(t) / Q(t)`, not constant, with `P` and `Q` coprime.
 pub(crate) struct RationalMap<'a> {
@@ -29,14 +29,8 @@ impl<'a> RationalMap<'a> {
         }
         cuts.sort();
         cuts.dedup();
-        let bound =
-            |t: Option<&RealAlgebraic>| t.map_or(Bound::Infinite, |t| Bound::Open(t.clone()));
-        let gaps = (0..=cuts.len()).filter_map(|i| {
-            let (lower, upper) = (i.checked_sub(1).map(|i| &cuts[i]), cuts.get(i));
-            let x = self.value(&sample_between(lower, upper))?;
-            region.contains_rational(&x).then(|| Region::interval(bound(lower), bound(upper)))
-        });
-        Region::union_of(gaps.chain([Region::points(points)])).simplified()
+        let is_inside = |t: &Rational| self.value(t).is_some_and(|x| region.contains_rational(&x));
+        Interval::LINE.gaps_where(&cuts, is_inside).union(&Region::points(points)).simplified()
     }
 
     /// `x`; `None` at a pole.
@@ -87,6 +81,7 @@ impl<'a> RationalMap<'a> {
 mod tests {
     use super::*;
     use refinable_algebra::rational;
+    use refinable_reals::Bound;
 
     fn polynomial(coefficients: &[i64]) -> Polynomial<Rational> {
         Polynomial::new(coefficients.iter().map(|&c| rational(c, 1)).collect())

@@ -66,11 +66,10 @@ pub(crate) fn reduction(member: &Line) -> Option<(Polynomial<Rational>, Line)> {
 fn step(a: &Polynomial<Integer>) -> Option<Polynomial<Integer>> {
     let degree = a.degree().unwrap_or(0);
     let mut orders = (3..=6 * degree + 6).step_by(2).filter(|&r| totient(r) <= degree);
-    let divides = |r: &usize| {
-        refinable_algebra::Domain::divide_exactly(a, &integer_cyclotomic(2 * r)).is_some()
-    };
+    let divides =
+        |r: &usize| refinable_algebra::Domain::divide_exactly(a, &cyclotomic(2 * r)).is_some();
     if let Some(r) = orders.find(divides) {
-        return Some(integer_cyclotomic(r));
+        return Some(cyclotomic(r));
     }
     let whole = Symbol { p: a.clone(), q: Polynomial::zero() };
     let common = whole.half(0).p.gcd(&whole.half(1).p);
@@ -136,7 +135,7 @@ fn opposite_zeros(symbol: &Symbol) -> Option<Vec<RealAlgebraic>> {
     }
     let mut exceptions = Vec::new();
     for order in even_orders(&eliminant) {
-        let phi = cyclotomic(order);
+        let phi = lift(&cyclotomic(order));
         let [r, s] = [&even, &odd].map(|part| part.bivariate().resultant(&phi));
         exceptions.extend(simple_roots(&r.gcd(&s)));
     }
@@ -148,7 +147,7 @@ fn even_orders(p: &Polynomial<Integer>) -> impl Iterator<Item = usize> {
     let degree = p.degree().unwrap_or(0);
     let candidates = (2..=6 * degree + 6).step_by(2).filter(move |&r| totient(r) <= degree);
     candidates.filter(move |&r| {
-        let phi = integer_cyclotomic(r);
+        let phi = cyclotomic(r);
         refinable_algebra::Domain::divide_exactly(p, &phi).is_some()
     })
 }
@@ -159,7 +158,7 @@ fn cycles(line: &Line, symbol: &Symbol) -> Option<Vec<RealAlgebraic>> {
     let degree = bivariate.degree().unwrap_or(0);
     let mut exceptions = Vec::new();
     for order in (3..=6 * degree + 6).step_by(2).filter(|&r| totient(r) <= degree) {
-        let (_, remainder) = bivariate.divide_by_monic(&cyclotomic(2 * order));
+        let (_, remainder) = bivariate.divide_by_monic(&lift(&cyclotomic(2 * order)));
         let common = remainder.coefficients().iter().fold(Polynomial::zero(), |g, c| g.gcd(c));
         if common.is_zero() {
             return None;
@@ -270,18 +269,13 @@ fn gcd(a: usize, b: usize) -> usize {
     if b == 0 { a } else { gcd(b, a % b) }
 }
 
-/// `Φ_n` as a polynomial over Z\[x\].
-fn cyclotomic(n: usize) -> Bivariate {
-    let minus_one =
-        |n: usize| Polynomial::monomial(integer(1), n).minus(&Polynomial::constant(integer(1)));
+/// `Φ_n`.
+fn cyclotomic(n: usize) -> Polynomial<Integer> {
+    let one = Polynomial::constant(integer(1));
     let product = (1..n)
         .filter(|d| n.is_multiple_of(*d))
-        .fold(Polynomial::constant(integer(1)), |product, d| product.times(&integer_cyclotomic(d)));
-    lift(&refinable_algebra::Domain::quotient(&minus_one(n), &product))
-}
-
-fn integer_cyclotomic(n: usize) -> Polynomial<Integer> {
-    cyclotomic(n).map(|c| c.coefficient(0))
+        .fold(one.clone(), |product, d| product.times(&cyclotomic(d)));
+    refinable_algebra::Domain::quotient(&Polynomial::monomial(integer(1), n).minus(&one), &product)
 }
 
 fn lift(p: &Polynomial<Integer>) -> Bivariate {
@@ -326,7 +320,7 @@ mod tests {
 
     #[test]
     fn cyclotomic_polynomials() {
-        let phi = |n| integer_cyclotomic(n).display("z");
+        let phi = |n| cyclotomic(n).display("z");
         assert_eq!(phi(6), "z^2 - z + 1");
         assert_eq!(phi(10), "z^4 - z^3 + z^2 - z + 1");
     }

@@ -51,7 +51,7 @@ fn solve<'a>(
     d: &Polynomial<Integer>,
     interval: &Interval,
 ) -> Region {
-    let whole = Region::interval(interval.lower.clone(), interval.upper.clone());
+    let whole = Region::from(interval);
     rows.fold(whole, |left, row| {
         let parts = left.intervals();
         Region::union_of(parts.iter().map(|part| row.region(d, part)))
@@ -175,7 +175,7 @@ impl Search<'_> {
                 continue;
             }
             if node.open.is_empty() {
-                found.push(Region::interval(node.interval().lower, node.interval().upper));
+                found.push(Region::from(&node.interval()));
             } else if node.depth >= DEPTH || nodes >= NODES || is_solvable(&node) {
                 work.solved += node.open.len();
                 let rows = node.open.iter().map(|open| open.row);

@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 use std::sync::Arc;
 
-use refinable_algebra::{Integer, Ordered, Polynomial, Rational, Ring, floor_half_power, integer};
+use refinable_algebra::{Integer, Ordered, Polynomial, Rational, Ring, dyadic_floor, integer};
 
 use crate::determinant;
 use crate::gcd::greatest_common_divisor;
@@ -110,7 +110,7 @@ impl Real {
         if equal(lower, upper) {
             return Ok((lower.clone(), upper.clone()));
         }
-        let lower = floor_half_power(lower, bits);
+        let lower = dyadic_floor(lower, bits);
         Ok((lower.clone(), lower + &step + &step))
     }
 
@@ -266,7 +266,7 @@ fn simplest_dyadic(left: &Rational, right: &Rational) -> Rational {
     let width = right - left;
     let bits = width.denom().bits().saturating_sub(width.numer().bits()) + 2;
     let Ok(bits) = u32::try_from(bits) else { return middle };
-    let rounded = floor_half_power(&middle, bits);
+    let rounded = dyadic_floor(&middle, bits);
     if less(left, &rounded) && less(&rounded, right) { rounded } else { middle }
 }
 

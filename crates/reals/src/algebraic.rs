@@ -278,7 +278,7 @@ fn short_between(a: &Rational, b: &Rational) -> Rational {
     let gap = b - a;
     let extra = bit_length(gap.denom()).saturating_sub(bit_length(gap.numer())) + 2;
     let middle = (a + b) / integer(2);
-    let candidate = refinable_algebra::floor_half_power(&middle, extra as u32);
+    let candidate = refinable_algebra::dyadic_floor(&middle, extra as u32);
     if *a < candidate && candidate < *b { candidate } else { middle }
 }
 
@@ -408,6 +408,26 @@ mod tests {
 
     fn sqrt(n: i64) -> RealAlgebraic {
         real_roots(&poly(&[-n, 0, 1])).pop().unwrap()
+    }
+
+    /// `1/√(2·10^80)` and its negative are enclosed as closely as `√2`, against their size.
+    #[test]
+    fn small_numbers_have_leading_bits() {
+        let square = integer(2) * integer(10).power(80);
+        let roots = real_roots(&Polynomial::new(vec![integer(-1), integer(0), square.clone()]));
+        for root in roots {
+            let (lower, upper) = root.relative_enclosure(20);
+            assert!(lower < upper && lower.compare_to_zero() == upper.compare_to_zero());
+            let squares = [&lower * &lower, &upper * &upper].map(|x| x * &square);
+            let near = rational(1, 1 << 18);
+            assert!(squares.iter().all(|x| (x - rational(1, 1)).absolute() < near));
+        }
+    }
+
+    #[test]
+    #[should_panic(expected = "no leading bits")]
+    fn zero_has_no_leading_bits() {
+        RealAlgebraic::from(integer(0)).relative_enclosure(1);
     }
 
     #[test]

@@ -7,6 +7,7 @@ use refinable_algebra::{
 
 use crate::algebraic::RealAlgebraic;
 use crate::isolate::real_roots;
+use crate::point::enclosed_product;
 
 /// A way to write a real algebraic number; for degree one and two the only one.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -128,13 +129,10 @@ fn quadratic_factor(
     let c = Rational::from(p.leading()?.clone());
     let (mut x, mut y) = (x.clone(), y.clone());
     let (sum, product) = loop {
-        let ((x0, x1), (y0, y1)) = (x.bounds(), y.bounds());
-        let sums = ((&x0 + &y0) * &c, (&x1 + &y1) * &c);
-        let corners = [&x0 * &y0, &x0 * &y1, &x1 * &y0, &x1 * &y1];
-        let products = (
-            corners.iter().min().expect("four corners") * &c,
-            corners.iter().max().expect("four corners") * &c,
-        );
+        let (xs, ys) = (x.bounds(), y.bounds());
+        let sums = ((&xs.0 + &ys.0) * &c, (&xs.1 + &ys.1) * &c);
+        let (lower, upper) = enclosed_product(&xs, &ys);
+        let products = (lower * &c, upper * &c);
         let narrow = |(lower, upper): &(Rational, Rational)| upper - lower < rational(1, 1);
         if narrow(&sums) && narrow(&products) {
             break (only_integer(&sums)?, only_integer(&products)?);

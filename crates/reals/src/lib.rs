@@ -45,7 +45,7 @@ pub use isolate::{
 };
 pub use logarithm::logarithm;
 pub use point::Point;
-pub use region::{Bound, Interval, Region, sample_between};
+pub use region::{Bound, Interval, Region};
 pub use rounded::RoundedBernstein;
 pub use system::{common_zeros, has_real_point};
 pub use variety::{Component, Unsolved, common_zero_set};

@@ -16,7 +16,7 @@ pub struct Point {
 }
 
 /// A closed interval with rational ends.
-type Enclosure = (Rational, Rational);
+pub(crate) type Enclosure = (Rational, Rational);
 
 impl Point {
     /// The point with these coordinates.
@@ -128,13 +128,14 @@ fn enclose(
     let collected = polynomial.collected(&parameter);
     let zero = (Rational::zero(), Rational::zero());
     collected.coefficients().iter().rev().fold(zero, |sum, c| {
-        let (lower, upper) = product(&sum, &x);
+        let (lower, upper) = enclosed_product(&sum, &x);
         let c = enclose(c, here);
         (lower + c.0, upper + c.1)
     })
 }
 
-fn product(a: &Enclosure, b: &Enclosure) -> Enclosure {
+/// The interval of the products of the numbers of two intervals.
+pub(crate) fn enclosed_product(a: &Enclosure, b: &Enclosure) -> Enclosure {
     let corners = [&a.0 * &b.0, &a.0 * &b.1, &a.1 * &b.0, &a.1 * &b.1];
     let lower = corners.iter().min().expect("four corners").clone();
     (lower, corners.into_iter().max().expect("four corners"))

@@ -1,6 +1,6 @@
 //! Regions of the real line: finite unions of intervals with exact ends.
 
-use std::fmt;
+use std::{fmt, iter};
 
 use refinable_algebra::{Rational, Ring};
 
@@ -56,12 +56,47 @@ pub struct Interval {
 }
 
 impl Interval {
+    /// The whole line.
+    pub const LINE: Interval = Interval { lower: Bound::Infinite, upper: Bound::Infinite };
+
     /// The only number of the interval, if there is only one.
     pub fn as_point(&self) -> Option<&RealAlgebraic> {
         match (&self.lower, &self.upper) {
             (Bound::Closed(a), Bound::Closed(b)) if a == b => Some(a),
             _ => None,
         }
+    }
+
+    /// A rational number between the ends.
+    ///
+    /// # Panics
+    /// If the interval is a single point.
+    pub fn sample(&self) -> Rational {
+        let one = Rational::one();
+        match (self.lower.number(), self.upper.number()) {
+            (None, None) => Rational::zero(),
+            (Some(x), None) => x.bounds().1.ceil() + one,
+            (None, Some(x)) => x.bounds().0.floor() - one,
+            (Some(a), Some(b)) => a.rational_between(b),
+        }
+    }
+
+    /// The open intervals that are left when the ends and strictly ascending numbers between them are taken out,
+    /// ascending.
+    pub fn gaps(&self, cuts: &[RealAlgebraic]) -> Vec<Interval> {
+        let open =
+            |x: Option<&RealAlgebraic>| x.map_or(Bound::Infinite, |x| Bound::Open(x.clone()));
+        let lowers = iter::once(self.lower.number()).chain(cuts.iter().map(Some));
+        let uppers = cuts.iter().map(Some).chain([self.upper.number()]);
+        let ends = lowers.zip(uppers);
+        ends.map(|(a, b)| Interval { lower: open(a), upper: open(b) }).collect()
+    }
+
+    /// The union of those [`gaps`](Self::gaps) whose samples satisfy a condition: with the roots of polynomials
+    /// as the cuts, of those on which a condition on their signs holds.
+    pub fn gaps_where(&self, cuts: &[RealAlgebraic], holds: impl Fn(&Rational) -> bool) -> Region {
+        let gaps = self.gaps(cuts);
+        Region::union_of(gaps.iter().filter(|gap| holds(&gap.sample())).map(Region::from))
     }
 }
 
@@ -253,17 +288,9 @@ impl Region {
     }
 }
 
-/// A rational number strictly between two ends, `None` being infinite.
-///
-/// # Panics
-/// If the lower end is not less than the upper one.
-pub fn sample_between(lower: Option<&RealAlgebraic>, upper: Option<&RealAlgebraic>) -> Rational {
-    let one = Rational::one();
-    match (lower, upper) {
-        (None, None) => Rational::zero(),
-        (Some(x), None) => x.bounds().1.ceil() + one,
-        (None, Some(x)) => x.bounds().0.floor() - one,
-        (Some(a), Some(b)) => a.rational_between(b),
+impl From<&Interval> for Region {
+    fn from(interval: &Interval) -> Self {
+        Region::interval(interval.lower.clone(), interval.upper.clone())
     }
 }
 
@@ -308,6 +335,22 @@ mod tests {
         let has = |p, q| region.contains_rational(&rational(p, q));
         assert!(has(1, 2) && has(3, 1));
         assert!(!has(0, 1) && !has(1, 1) && !has(5, 2));
+    }
+
+    #[test]
+    fn gaps_and_the_numbers_taken_out_make_the_interval() {
+        let cuts = [0, 2].map(|n| RealAlgebraic::from(rational(n, 1)));
+        let display =
+            |gaps: &[Interval]| Region::union_of(gaps.iter().map(Region::from)).display("x");
+        assert_eq!(display(&Interval::LINE.gaps(&cuts)), "(-∞, 0) ∪ (0, 2) ∪ (2, ∞)");
+        let closed = &point(-1).union(&open(-1, 3)).union(&point(3)).intervals()[0];
+        assert_eq!(display(&closed.gaps(&cuts)), "(-1, 0) ∪ (0, 2) ∪ (2, 3)");
+        assert_eq!(Interval::LINE.gaps(&[]), [Interval::LINE]);
+        let positive = Interval::LINE.gaps_where(&cuts, |x| *x > Rational::zero());
+        assert_eq!(positive.display("x"), "(0, 2) ∪ (2, ∞)");
+        for gap in Interval::LINE.gaps(&cuts).iter().chain(&closed.gaps(&cuts)) {
+            assert!(Region::from(gap).contains_rational(&gap.sample()));
+        }
     }
 
     #[test]

@@ -1,12 +1,11 @@
 //! Two polynomials in two parameters: their common real zeros, exactly.
 
-use refinable_algebra::{
-    Ordered, Parameter, ParameterPolynomial, Polynomial, Rational, Ring, integer,
-};
+use refinable_algebra::{Parameter, ParameterPolynomial, Polynomial, Ring};
 
 use crate::algebraic::RealAlgebraic;
 use crate::isolate::real_roots;
 use crate::point::Point;
+use crate::region::Interval;
 
 /// The real points at which `f` and `g` both vanish, ordered by the first coordinate.
 ///
@@ -64,8 +63,9 @@ pub fn has_real_point(f: &ParameterPolynomial, [x, y]: [&Parameter; 2]) -> bool 
     let leading = primitive.leading().expect("not zero");
     let critical = primitive.resultant(&derivative).times(leading);
     let (_, critical) = critical.cleared_univariate(x).expect("only two parameters occur");
-    let seen = samples(&critical).iter().any(|sample| {
-        let fibre = primitive.map(|c| c.with(x, sample));
+    let seen = Interval::LINE.gaps(&real_roots(&critical)).iter().any(|gap| {
+        let sample = gap.sample();
+        let fibre = primitive.map(|c| c.with(x, &sample));
         has_real_root(&ParameterPolynomial::from_collected(&fibre, y), y)
     });
     let back = |p: &Polynomial<ParameterPolynomial>| ParameterPolynomial::from_collected(p, y);
@@ -75,20 +75,6 @@ pub fn has_real_point(f: &ParameterPolynomial, [x, y]: [&Parameter; 2]) -> bool 
 fn has_real_root(p: &ParameterPolynomial, x: &Parameter) -> bool {
     let (_, p) = p.cleared_univariate(x).expect("only one parameter occurs");
     p.is_zero() || !real_roots(&p).is_empty()
-}
-
-/// A rational number in each gap between the real roots of `p`, and beyond them on both sides.
-fn samples(p: &Polynomial<refinable_algebra::Integer>) -> Vec<Rational> {
-    let roots = real_roots(p);
-    let (Some(first), Some(last)) = (roots.first(), roots.last()) else {
-        return vec![Rational::zero()];
-    };
-    let one = Rational::from(integer(1));
-    let mut samples = vec![first.bounds().0 - &one];
-    samples.extend(roots.windows(2).map(|pair| pair[0].rational_between(&pair[1])));
-    samples.push(last.bounds().1 + one);
-    debug_assert!(samples.iter().all(|s| p.value_at(s).compare_to_zero().is_ne()));
-    samples
 }
 
 #[cfg(test)]

@@ -2,8 +2,8 @@
 
 use refinable_algebra::{Ordered, Rational, decimal};
 use refinable_analysis::{
-    ContinuityRange, Degrees, Options, Regularity, Sharpness, classify, degrees, landscape,
-    regularity, smooth_window, smoothest_in,
+    ContinuityRange, Degrees, Options, Regularity, Sharpness, classify, default_window, degrees,
+    landscape, regularity, smoothest_in,
 };
 use refinable_reals::Region;
 use refinable_scheme::{Diagnostic, Normalised, Scheme};
@@ -97,7 +97,7 @@ impl Smoothness {
 
     fn over_two(scheme: &Scheme) -> Result<Self, Diagnostic> {
         let (name, mask) = (scheme.name(), scheme.mask());
-        let window = smooth_window(name, mask)?;
+        let window = default_window(name, mask, 0)?;
         let landscape = landscape(name, mask, &window, [2, 2])?;
         let Some(summit) = landscape.highest() else { return Ok(Smoothness::default()) };
         let values = landscape.plane.parameters().iter().zip(&summit.parameters);

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use refinable_algebra::{Rational, decimal};
-use refinable_analysis::{Landscape, Locus, Summit, landscape, smooth_window};
+use refinable_analysis::{Landscape, Locus, Summit, default_window, landscape};
 use refinable_scheme::{Diagnostic, Scheme};
 use serde_json::{Value, json};
 
@@ -40,7 +40,7 @@ impl HolderMap {
         let (name, mask) = (scheme.name(), scheme.mask());
         let window = match window {
             Some(text) => parse_window(scheme, text)?,
-            None => smooth_window(name, mask)?,
+            None => default_window(name, mask, 0)?,
         };
         let landscape = landscape(name, mask, &window, NODES)?;
         Ok(HolderMap { scheme: name.into(), arity: mask.arity(), landscape })

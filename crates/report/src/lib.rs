@@ -8,6 +8,7 @@
 //! | `shape` | what limits keep of the shape of their data |
 //! | `map`, `map_picture` | [`Maps`]: orders of continuity over two parameters, as data and as SVG |
 //! | `landscape` | [`HolderMap`]: the Hölder exponent over two parameters, as data and as SVG |
+//! | `span` | requests such as `NAME=A..B` |
 //! | `scan` | [`Scan`]: a quantity at every point of a grid |
 //! | `svg`, `frame`, `raster` | what pictures have in common; from SVG to pixels |
 //! | `curve`, `surface`, `basis` | [`Curve`], [`TensorSurface`], [`Basis`]: refined points, limits, as data and as SVG |
@@ -71,6 +72,7 @@ mod shape;
 mod sharp;
 mod show;
 mod site;
+mod span;
 mod surface;
 mod surface_picture;
 mod svg;

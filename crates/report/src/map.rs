@@ -12,6 +12,7 @@ use serde_json::{Value, json};
 use crate::grid::{Cell, Document, Grid};
 use crate::number::{intervals, rational_number};
 use crate::sharp::statement;
+use crate::span::{named, parse_span};
 
 /// Maps of one family in one box for several orders of continuity, ascending.
 #[derive(Clone, Debug)]
@@ -338,20 +339,14 @@ pub(crate) fn parse_window(scheme: &Scheme, text: &str) -> Result<Window, Diagno
     let plane = Plane::new(scheme.name(), scheme.mask())?;
     let mut spans: [Option<[Rational; 2]>; 2] = [None, None];
     for part in text.split(',') {
-        let (name, span) =
-            part.split_once('=').ok_or_else(|| error(format!("`{part}` has no `=`")))?;
-        let place = plane.parameters().iter().position(|p| p.name() == name.trim());
+        let (name, span) = named(part).map_err(error)?;
+        let place = plane.parameters().iter().position(|p| p.name() == name);
         let place = place.ok_or_else(|| {
             let [u, v] = plane.parameters();
-            error(format!("the free parameters are {u} and {v}, not {}", name.trim()))
+            error(format!("the free parameters are {u} and {v}, not {name}"))
         })?;
-        let ends = span
-            .split_once("..")
-            .and_then(|(a, b)| Some([parse_rational(a.trim())?, parse_rational(b.trim())?]));
-        let ends =
-            ends.ok_or_else(|| error(format!("`{span}` is no interval of rational numbers")))?;
-        if spans[place].replace(ends).is_some() {
-            return Err(error(format!("{} is given twice", name.trim())));
+        if spans[place].replace(parse_span(span).map_err(error)?).is_some() {
+            return Err(error(format!("{name} is given twice")));
         }
     }
     match spans {

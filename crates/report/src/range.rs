@@ -103,7 +103,7 @@ impl Unproved {
 
 /// `‖c_1^2‖ < 1` for the lowest level that proves all of the interval, or the levels it takes.
 fn proof(range: &NormRange, part: &Interval) -> String {
-    let region = Region::interval(part.lower.clone(), part.upper.clone());
+    let region = Region::from(part);
     let norm = |level: usize| format!("‖c_{}^{}‖ < 1", range.continuity, level + 1);
     let single = range.levels.iter().position(|proved| region.is_subset(proved));
     if let Some(level) = single {
@@ -119,7 +119,7 @@ const LONGEST: usize = 48;
 
 /// An interval with its exact ends, unless they are too long to be read.
 pub(crate) fn interval_cell(interval: &Interval, variable: &str) -> Cell {
-    let region = Region::interval(interval.lower.clone(), interval.upper.clone());
+    let region = Region::from(interval);
     if is_short(interval) {
         Cell::math(region.display(variable), &latex::region(&region, variable))
     } else {

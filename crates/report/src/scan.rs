@@ -3,9 +3,7 @@
 use std::collections::BTreeMap;
 
 use rayon::prelude::*;
-use refinable_algebra::{
-    Parameter, ParameterFraction, ParameterPolynomial, Rational, parse_rational, rational,
-};
+use refinable_algebra::{Parameter, ParameterFraction, ParameterPolynomial, Rational, rational};
 use refinable_analysis::{
     Budget, Fineness, Map, MapVerdict, Options, Plane, PointVerdict, PointwiseNorm, Sharpness,
     Window, continuity_at, degrees, map, regularity,
@@ -14,6 +12,7 @@ use refinable_scheme::{Diagnostic, Normalised, Scheme, Substitution};
 use serde_json::json;
 
 use crate::regularity::outward;
+use crate::span::{named, parse_ascending_span};
 
 /// What is found at every point.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -59,7 +58,7 @@ struct Axis {
 const MOST_POINTS: u64 = 100_000_000;
 /// Nodes of the maps that decide most points of a scan, for each square root of a point: a node takes some
 /// milliseconds, and saves about as many for points that would have to be decided on their own.
-const NODES: f64 = 20.0;
+const NODES: u64 = 20;
 const LEAST_NODES: usize = 1500;
 const MOST_NODES: usize = 30_000;
 
@@ -96,7 +95,7 @@ impl Scan {
             return Ok(Vec::new());
         };
         let window: Window = [u, v];
-        let nodes = (NODES * (self.count() as f64).sqrt()) as usize;
+        let nodes = (NODES * NODES * self.count()).isqrt() as usize;
         let nodes = nodes.clamp(LEAST_NODES, MOST_NODES);
         let fineness = Fineness { undecided: rational(1, 2000), nodes };
         (0..=plane.order()).map(|n| map(name, mask, n, &window, &fineness)).collect()
@@ -189,9 +188,11 @@ impl Scan {
 
     /// The largest proved order, and what is known of the next one.
     fn continuity(&self, point: &[Rational; 2]) -> (i64, &'static str) {
-        let mut proved = -1;
         let mut mask = None;
-        for n in 0.. {
+        let mut n = 0;
+        // No mask of finite support is smooth of every order.
+        loop {
+            let proved = n as i64 - 1;
             let from_map = self.maps.get(n).map(|map| {
                 let of = |p: &Parameter| self.axes.iter().position(|axis| axis.parameter == *p);
                 let place = map.plane.parameters().each_ref().map(|p| of(p).unwrap_or(0));
@@ -210,12 +211,11 @@ impl Scan {
                 }
             };
             match verdict {
-                PointVerdict::Proved => proved = n as i64,
+                PointVerdict::Proved => n += 1,
                 PointVerdict::Refuted => return (proved, "refuted"),
                 _ => return (proved, "undecided"),
             }
         }
-        unreachable!("a mask of finite support is not smooth of every order")
     }
 }
 
@@ -232,22 +232,14 @@ fn parse_grid(scheme: &Scheme, text: &str) -> Result<[Axis; 2], Diagnostic> {
             .with_hint("for example --grid 'alpha=0..1/8:200,beta=-1/10..0:200'")
     };
     let axis = |part: &str| {
-        let (name, rest) =
-            part.split_once('=').ok_or_else(|| error(format!("`{part}` has no `=`")))?;
+        let (name, rest) = named(part).map_err(error)?;
         let (span, steps) = rest
             .split_once(':')
             .ok_or_else(|| error(format!("`{part}` does not say how many steps: `:200`")))?;
         let steps = steps.trim().parse::<u32>().ok().filter(|&n| n > 0);
         let steps = steps.ok_or_else(|| error("the steps are a positive whole number".into()))?;
-        let ends = span
-            .split_once("..")
-            .and_then(|(a, b)| Some((parse_rational(a.trim())?, parse_rational(b.trim())?)));
-        let (low, high) =
-            ends.ok_or_else(|| error(format!("`{span}` is no interval of rational numbers")))?;
-        if low >= high {
-            return Err(error(format!("{low} is not less than {high}")));
-        }
-        Ok(Axis { parameter: Parameter::new(name.trim()), low, high, steps })
+        let [low, high] = parse_ascending_span(span).map_err(error)?;
+        Ok(Axis { parameter: Parameter::new(name), low, high, steps })
     };
     let axes: Vec<Axis> = text.split(',').map(axis).collect::<Result<_, _>>()?;
     let mut named: Vec<&Parameter> = axes.iter().map(|axis| &axis.parameter).collect();

@@ -3,9 +3,7 @@
 use std::fmt::Write;
 
 use rayon::prelude::*;
-use refinable_algebra::{
-    ParameterFraction, ParameterPolynomial, Rational, Ring, decimal, parse_rational,
-};
+use refinable_algebra::{ParameterFraction, ParameterPolynomial, Rational, Ring, decimal};
 use refinable_analysis::{Options, Regularity, regularity};
 use refinable_scheme::{Diagnostic, Scheme, Substitution};
 use serde_json::{Value, json};
@@ -13,6 +11,7 @@ use serde_json::{Value, json};
 use crate::grid::{Cell, Document, Grid};
 use crate::range::only_parameter;
 use crate::regularity::outward;
+use crate::span::{named, parse_ascending_span};
 use crate::svg::{escape, place};
 
 /// Steps if none are given, and the most that are taken.
@@ -204,10 +203,9 @@ fn parse(request: &str, parameter: &str) -> Result<(Rational, Rational, u32), Di
         let hint = format!("for example --sweep '{parameter}=0..1/16:64'");
         Diagnostic::new("sweep", message).with_hint(hint)
     };
-    let (name, rest) =
-        request.split_once('=').ok_or_else(|| error(format!("`{request}` has no `=`")))?;
-    if name.trim() != parameter {
-        return Err(error(format!("the free parameter is {parameter}, not {}", name.trim())));
+    let (name, rest) = named(request).map_err(error)?;
+    if name != parameter {
+        return Err(error(format!("the free parameter is {parameter}, not {name}")));
     }
     let (interval, steps) = match rest.split_once(':') {
         Some((interval, steps)) => (interval, steps.trim().parse::<u32>().ok()),
@@ -216,12 +214,6 @@ fn parse(request: &str, parameter: &str) -> Result<(Rational, Rational, u32), Di
     let steps = steps.filter(|steps| (1..=MOST_STEPS).contains(steps));
     let steps =
         steps.ok_or_else(|| error(format!("the steps are a number from 1 to {MOST_STEPS}")))?;
-    let (from, to) = interval
-        .split_once("..")
-        .and_then(|(a, b)| Some((parse_rational(a.trim())?, parse_rational(b.trim())?)))
-        .ok_or_else(|| error(format!("`{interval}` is no interval of rational numbers")))?;
-    if from >= to {
-        return Err(error(format!("{from} is not less than {to}")));
-    }
+    let [from, to] = parse_ascending_span(interval).map_err(error)?;
     Ok((from, to, steps))
 }

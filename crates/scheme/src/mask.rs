@@ -178,14 +178,7 @@ impl Mask {
                 (0, c) => c.minus(self.denominator()),
                 (_, c) => c,
             });
-        let mut conditions = Vec::new();
-        for c in differences.filter(|c| !c.is_zero()) {
-            let primitive = c.primitive().2;
-            if !conditions.contains(&primitive) {
-                conditions.push(primitive);
-            }
-        }
-        conditions
+        primitive_conditions(differences)
     }
 
     /// The numerators of the sums `Σ_j a_{ε-mj}` of the stencils, `ε = 0, …, m-1`; over the
@@ -248,6 +241,20 @@ impl Mask {
         let unit = self.denominator().unit_part();
         self.arity >= 2 && !self.numerator().is_zero() && unit == ParameterPolynomial::one()
     }
+}
+
+/// The polynomials that are not identically zero, primitive, each once: conditions for all of them to vanish.
+pub(crate) fn primitive_conditions(
+    polynomials: impl Iterator<Item = ParameterPolynomial>,
+) -> Vec<ParameterPolynomial> {
+    let mut conditions = Vec::new();
+    for p in polynomials.filter(|p| !p.is_zero()) {
+        let primitive = p.primitive().2;
+        if !conditions.contains(&primitive) {
+            conditions.push(primitive);
+        }
+    }
+    conditions
 }
 
 /// `[a_lo, …, a_hi] @ lo`: the notation that [`Mask::parse`] reads back.

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use refinable_algebra::{
-    Integer, Laurent, ParameterPolynomial, Rational, Ring, least_common_multiple,
+    Integer, Laurent, ParameterPolynomial, Rational, Ring, clear_denominators, push_sign,
 };
 
 use crate::derivation::{Derivation, Step, Vectors, Weight};
@@ -193,10 +193,7 @@ fn written(combination: &Laurent<ParameterPolynomial>) -> String {
     let coefficients = combination.coefficients().iter();
     let constants: Option<Vec<Rational>> =
         coefficients.map(ParameterPolynomial::as_constant).collect();
-    let common = constants.map_or_else(Integer::one, |values| {
-        let denominators = values.iter().map(Rational::denom);
-        denominators.fold(Integer::one(), |d, c| least_common_multiple(&d, c))
-    });
+    let common = constants.map_or_else(Integer::one, |values| clear_denominators(values.iter()).0);
     if common == Integer::one() {
         return written_sum(combination);
     }
@@ -209,12 +206,7 @@ fn written_sum(combination: &Laurent<ParameterPolynomial>) -> String {
     let mut text = String::new();
     for (offset, c) in combination.terms().filter(|(_, c)| !c.is_zero()) {
         let (negative, size) = signed(c);
-        text.push_str(match (text.is_empty(), negative) {
-            (true, false) => "",
-            (true, true) => "-",
-            (false, false) => " + ",
-            (false, true) => " - ",
-        });
+        push_sign(&mut text, negative);
         if size != "1" {
             text.push_str(&size);
             text.push('*');

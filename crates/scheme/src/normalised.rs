@@ -6,7 +6,7 @@ use std::ops::Deref;
 use refinable_algebra::{Parameter, ParameterFraction, ParameterPolynomial, Rational, Ring};
 
 use crate::diagnostic::{Diagnostic, shortened};
-use crate::mask::Mask;
+use crate::mask::{Mask, primitive_conditions};
 
 /// How many stencils an error lists.
 const LISTED: usize = 6;
@@ -128,18 +128,8 @@ fn advice(mask: &Mask, sums: &[ParameterFraction]) -> Option<String> {
 
 /// The polynomials whose common zeros are the parameters with normalised stencils, primitive.
 fn conditions(mask: &Mask) -> Vec<ParameterPolynomial> {
-    let mut conditions = Vec::new();
-    for sum in mask.stencil_numerators() {
-        let difference = sum.minus(mask.denominator());
-        if difference.is_zero() {
-            continue;
-        }
-        let primitive = difference.primitive().2;
-        if !conditions.contains(&primitive) {
-            conditions.push(primitive);
-        }
-    }
-    conditions
+    let sums = mask.stencil_numerators().into_iter();
+    primitive_conditions(sums.map(|sum| sum.minus(mask.denominator())))
 }
 
 /// The condition solved for a parameter in which it is linear with a constant coefficient.

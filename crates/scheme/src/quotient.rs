@@ -142,17 +142,17 @@ impl Quotient {
         let one = Quotient::constant(ParameterPolynomial::one());
         let base = if exponent < 0 { one.divided_by(self, budget)? } else { self.clone() };
         let mut rest = exponent.unsigned_abs();
-        let (mut numerator, mut square) = (one, base);
+        let (mut power, mut square) = (one, base);
         while rest > 0 {
             if rest % 2 == 1 {
-                numerator = numerator.coprime_product(&square, budget)?;
+                power = power.coprime_product(&square, budget)?;
             }
             rest /= 2;
             if rest > 0 {
                 square = square.coprime_product(&square, budget)?;
             }
         }
-        Ok(numerator)
+        Ok(power)
     }
 
     /// The product of two powers of one quotient: by Gauss's lemma nothing cancels.

@@ -189,7 +189,7 @@ impl Body {
             *from = body.vertices.len();
             let mut images = body.images(ends, side, generation, margin);
             // Long images first: they may swallow the others.
-            images.sort_by(|a, b| norm(&b.vector).total_cmp(&norm(&a.vector)));
+            images.sort_by(|a, b| squared_length(&b.vector).total_cmp(&squared_length(&a.vector)));
             for Image { parent, letter, vector, margin } in images {
                 // Anything that is not far enough inside is added: no need to know where it is.
                 let limits =
@@ -458,7 +458,7 @@ fn scaled(v: &[f64], factor: f64) -> Vec<f64> {
     v.iter().map(|x| x * factor).collect()
 }
 
-fn norm(v: &[f64]) -> f64 {
+fn squared_length(v: &[f64]) -> f64 {
     v.iter().map(|x| x * x).sum()
 }
 

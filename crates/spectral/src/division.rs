@@ -5,10 +5,11 @@ use refinable_algebra::{Integer, Matrix, Ordered, Polynomial, Rational, Ring, ra
 use refinable_certificate::{self as certificate, Lemma, Polytope};
 use refinable_reals::{Bound, Interval, RealAlgebraic, Region};
 
-use crate::float::{approximate, approximate_root, short_dyadic};
+use crate::cover::{Cover, prove};
+use crate::float::{approximate, approximate_root};
 use crate::leading::fastest;
 use crate::pencil::Pencil;
-use crate::rough::{Product, rough_set, sign_set};
+use crate::rough::{Product, SignSet, rough_set, sign_set};
 use crate::search::{Crossing, Outcome, Search, certificate_end, real_algebraic};
 use crate::word::Word;
 use crate::work::Work;
@@ -196,13 +197,8 @@ impl<'a> Expansion<'a> {
             known.region = before.union(&with_short_ends(&rough_set(&product), &before));
             return known.region != before;
         }
-        let signs = sign_set(&product);
-        let crossings = signs
-            .determinants
-            .into_iter()
-            .map(|(sign, determinant)| Crossing { word: word.clone(), sign, determinant })
-            .collect();
-        let region = signs.region;
+        let SignSet { determinants, region } = sign_set(&product);
+        let crossings = Crossing::all(word, determinants);
         self.known.push(KnownWord { word: word.clone(), crossings, region, complete: false });
         true
     }
@@ -235,7 +231,7 @@ impl<'a> Expansion<'a> {
         let mut lemmas = Vec::new();
         for known in &self.known {
             for interval in known.region.intervals() {
-                let region = Region::interval(interval.lower.clone(), interval.upper.clone());
+                let region = Region::from(&interval);
                 if region.is_subset(&covered) {
                     continue;
                 }
@@ -270,9 +266,8 @@ fn with_short_ends(region: &Region, known: &Region) -> Region {
             Bound::Closed(short_dyadic_of(&end, lower).into())
         }
     };
-    let intervals = region.intervals().into_iter().filter(|interval| {
-        !Region::interval(interval.lower.clone(), interval.upper.clone()).is_subset(known)
-    });
+    let intervals =
+        region.intervals().into_iter().filter(|interval| !Region::from(interval).is_subset(known));
     Region::union_of(intervals.map(|interval| {
         Region::interval(inward(&interval.lower, true), inward(&interval.upper, false))
     }))
@@ -307,140 +302,4 @@ fn samples(interval: &Interval) -> Vec<f64> {
             .chain([0.0])
             .collect(),
     }
-}
-
-/// How many polytopes are tried one after the other between two numbers.
-const MOST_STEPS: usize = 100;
-
-/// Polytopes on parts of an interval.
-#[derive(Default)]
-struct Cover {
-    polytopes: Vec<Polytope>,
-    /// Words that turned out to grow.
-    faster: Vec<Word>,
-}
-
-impl Cover {
-    /// From one number towards another, each polytope from where the one before ends, as far as the
-    /// effort goes.
-    fn advance(search: &Search, from: &Rational, goal: &Rational) -> Self {
-        let mut cover = Cover::default();
-        let distance = |from: &Rational| approximate(&(goal - from)).abs();
-        let mut reached = from.clone();
-        let mut stride = distance(from);
-        let mut last = None;
-        for _ in 0..MOST_STEPS {
-            let left = distance(&reached);
-            // Floats come no nearer.
-            if left == 0.0 || approximate(&reached) == approximate(goal) {
-                break;
-            }
-            match search.step(&reached, goal, (stride / left).min(1.0), last) {
-                Outcome::Proved(polytope, recipe) => {
-                    last = Some(recipe);
-                    // The next step may be longer if this one went as far as it was to.
-                    let taken = left - distance(&polytope.inner.0);
-                    stride = if taken > 0.75 * stride { 2.0 * taken } else { taken };
-                    reached = polytope.inner.0.clone();
-                    cover.polytopes.push(*polytope);
-                }
-                Outcome::Faster(word) => {
-                    cover.faster.push(word);
-                    break;
-                }
-                Outcome::Nothing => break,
-            }
-        }
-        cover
-    }
-
-    /// From an end towards a goal: from the end itself, if a polytope reaches it exactly, or else from
-    /// a number that is a gap away.
-    fn from_end(
-        search: &Search,
-        end: &RealAlgebraic,
-        crossings: &[Crossing],
-        goal: &Rational,
-        gap: f64,
-    ) -> Self {
-        let mut cover = Cover::default();
-        let start = match search.up_to(end, crossings, goal) {
-            Some(polytope) => {
-                let reached = polytope.inner.0.clone();
-                cover.polytopes.push(polytope);
-                reached
-            }
-            None => short_dyadic(approximate_root(end) + gap, gap.abs() / 4.0),
-        };
-        cover.extend(Cover::between(search, &start, goal));
-        cover
-    }
-
-    /// Between two numbers, from both of them to the middle.
-    fn between(search: &Search, from: &Rational, to: &Rational) -> Self {
-        let (a, b) = (approximate(from), approximate(to));
-        if a == b {
-            return Cover::default();
-        }
-        let middle = short_dyadic((a + b) / 2.0, (b - a).abs() / 8.0);
-        let halves = rayon::join(
-            || Cover::advance(search, from, &middle),
-            || Cover::advance(search, to, &middle),
-        );
-        let mut cover = halves.0;
-        cover.extend(halves.1);
-        cover
-    }
-
-    fn extend(&mut self, other: Cover) {
-        self.polytopes.extend(other.polytopes);
-        self.faster.extend(other.faster);
-    }
-}
-
-/// Polytopes for one open interval without known growing words.
-fn prove(
-    search: &Search,
-    component: &Interval,
-    crossings: &[Crossing],
-    known: &[(Rational, Rational)],
-    options: &Options,
-) -> Cover {
-    let (Some(lower), Some(upper)) = (component.lower.number(), component.upper.number()) else {
-        // A set that is unbounded has no leading word at infinity; it is left undecided.
-        return Cover::default();
-    };
-    let (a, b) = (approximate_root(lower), approximate_root(upper));
-    if b <= a {
-        return Cover::default();
-    }
-    // Both ends reach towards what is known inside already, or else towards each other's middle.
-    let inside = |x: &Rational| {
-        let x = approximate(x);
-        a < x && x < b
-    };
-    let mut solid: Vec<(Rational, Rational)> =
-        known.iter().filter(|(l, r)| inside(l) && inside(r)).cloned().collect();
-    solid.sort();
-    if solid.is_empty() {
-        let middle = short_dyadic((a + b) / 2.0, (b - a) / 8.0);
-        // Nothing can be sought where floats tell no number apart from both ends.
-        if !inside(&middle) {
-            return Cover::default();
-        }
-        solid.push((middle.clone(), middle));
-    }
-    // Not narrower than floats are apart.
-    let least = f64::EPSILON * a.abs().max(b.abs());
-    let gap = (approximate(&options.gap) * (b - a) * 0.5).max(least);
-    let goals = (&solid[0].0, &solid[solid.len() - 1].1);
-    let (mut cover, from_upper) = rayon::join(
-        || Cover::from_end(search, lower, crossings, goals.0, gap),
-        || Cover::from_end(search, upper, crossings, goals.1, -gap),
-    );
-    cover.extend(from_upper);
-    for pair in solid.windows(2) {
-        cover.extend(Cover::between(search, &pair[0].1, &pair[1].0));
-    }
-    cover
 }

@@ -13,6 +13,7 @@
 //! | `recipe` | in which ways it is grown where every word shrinks |
 //! | `search` | polytopes on closed intervals and up to exact ends |
 //! | `division` | [`divide`]: the line, divided at radius one; [`expanding`]: one side of it; [`decide`] at a single value |
+//! | `cover` | polytopes one after the other, from the ends of an interval inwards |
 //! | `radius` | [`radius()`](radius()): the radius of one set of matrices |
 //! | `plane` | [`PlanePencil`]: matrices that are polynomials in two variables |
 //! | `ellipsoid` | ellipsoids that matrices map into each other, in floats |
@@ -29,6 +30,7 @@
 //! has accepted it.
 
 mod body;
+mod cover;
 mod division;
 mod ellipsoid;
 mod float;

@@ -2,7 +2,7 @@
 
 use crate::float::approximate;
 use nalgebra::DMatrix;
-use refinable_algebra::{Integer, Matrix, Polynomial, Rational, clear_denominators};
+use refinable_algebra::{Integer, Matrix, Polynomial, Rational, Ring, clear_denominators};
 
 /// The matrices `B_ε(x) = P_ε + x Q_ε`, all of one size `d × d`.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -72,10 +72,10 @@ impl Pencil {
 }
 
 /// Whether reversing coordinates exchanges the first matrix and the last, the second and the last but
-/// one, and so on.
-pub(crate) fn is_mirrored(matrices: &[Matrix<Rational>]) -> bool {
+/// one, and so on: `B_{m-1-ε} = J B_ε J`.
+pub(crate) fn is_mirrored<R: Ring>(matrices: &[Matrix<R>]) -> bool {
     let d = matrices[0].shape().0;
     let mirror =
-        |m: &Matrix<Rational>| Matrix::from_fn(d, d, |i, j| m.entry(d - 1 - i, d - 1 - j).clone());
+        |m: &Matrix<R>| Matrix::from_fn(d, d, |i, j| m.entry(d - 1 - i, d - 1 - j).clone());
     matrices.iter().zip(matrices.iter().rev()).all(|(a, b)| mirror(a) == *b)
 }

@@ -55,10 +55,11 @@ pub fn radius(
     }
     let (kind, work) = (certificate::Pencil::Scale, &Work::of(WORK));
     let search = Search { pencil, kind, words: &words, accept, work };
+    let cleared = pencil.cleared();
     let crossings: Vec<Crossing> = words
         .iter()
         .filter(|word| growth(&matrices, word).is_some_and(|g| g > fastest_growth * (1.0 - 1e-9)))
-        .flat_map(|word| crossings_of(pencil, word))
+        .flat_map(|word| Crossing::all(word, sign_set(&Product::new(&cleared, word)).determinants))
         .collect();
     match real_end(&crossings, 1.0 / fastest_growth) {
         Some(end) => {
@@ -77,7 +78,7 @@ pub fn radius(
             }
         }
         None => {
-            let product = Product::new(&pencil.cleared(), word);
+            let product = Product::new(&cleared, word);
             let above = leading_bits((1.0 + 1e-12) / fastest_growth, 53)?;
             let end = RealAlgebraic::from(above);
             let expanding = rough_set(&product).contains(&end);
@@ -115,14 +116,6 @@ fn word_lemma(word: &Word, from: &RealAlgebraic) -> Lemma {
         from: Some(certificate_end(from)),
         to: Some(certificate_end(from)),
     }
-}
-
-fn crossings_of(pencil: &Pencil, word: &Word) -> Vec<Crossing> {
-    let signs = sign_set(&Product::new(&pencil.cleared(), word));
-    let crossings = signs.determinants.into_iter();
-    crossings
-        .map(|(sign, determinant)| Crossing { word: word.clone(), sign, determinant })
-        .collect()
 }
 
 /// The scale near `approximation` at which a word has the eigenvalue 1 or -1.

@@ -1,8 +1,11 @@
 //! From below: where the product along a word has spectral radius at least one.
 
-use refinable_algebra::{Integer, Matrix, Polynomial, Rational, Ring};
-use refinable_reals::{Bound, RealAlgebraic, Region, real_roots, sample_between};
+use std::slice;
 
+use refinable_algebra::{Integer, Matrix, Polynomial, Rational, Ring};
+use refinable_reals::{Interval, Region, real_roots};
+
+use crate::pencil::is_mirrored;
 use crate::schur::{inner_determinant, is_schur_stable};
 use crate::word::Word;
 
@@ -28,12 +31,11 @@ impl Product {
         let factor = |length: usize| denominator.power(length as u32);
         let letters = word.letters();
         let half = &letters[..letters.len() / 2];
-        let root =
-            (are_mirrored(matrices) && word.is_its_mirror_image(matrices.len())).then(|| {
-                let product = along(half);
-                let turned = Matrix::from_fn(d, d, |i, j| product.entry(d - 1 - i, j).clone());
-                (turned, factor(half.len()))
-            });
+        let root = (is_mirrored(matrices) && word.is_its_mirror_image(matrices.len())).then(|| {
+            let product = along(half);
+            let turned = Matrix::from_fn(d, d, |i, j| product.entry(d - 1 - i, j).clone());
+            (turned, factor(half.len()))
+        });
         Product { matrix: along(letters), factor: factor(letters.len()), root }
     }
 
@@ -112,9 +114,7 @@ fn blocks(matrix: &Matrix<Polynomial<Integer>>) -> Vec<Matrix<Polynomial<Integer
     }
     let n = to - from;
     let rest = part(from, to);
-    let turned =
-        (0..n).all(|i| (0..n).all(|j| rest.entry(i, j) == rest.entry(n - 1 - i, n - 1 - j)));
-    if n > 1 && turned {
+    if n > 1 && is_mirrored(slice::from_ref(&rest)) {
         // On vectors that are, up to the sign, the same read backwards.
         let (entry, mirror) = (|i, j| rest.entry(i, j), |j: usize| n - 1 - j);
         let half = n.div_ceil(2);
@@ -126,15 +126,6 @@ fn blocks(matrix: &Matrix<Polynomial<Integer>>) -> Vec<Matrix<Polynomial<Integer
         blocks.push(rest);
     }
     blocks
-}
-
-/// Whether `B_{m-1-ε} = J B_ε J`.
-fn are_mirrored(matrices: &[Matrix<Polynomial<Integer>>]) -> bool {
-    let d = matrices[0].shape().0;
-    let mirror = |m: &Matrix<Polynomial<Integer>>| {
-        Matrix::from_fn(d, d, |i, j| m.entry(d - 1 - i, d - 1 - j).clone())
-    };
-    matrices.iter().zip(matrices.iter().rev()).all(|(a, b)| mirror(a) == *b)
 }
 
 /// Where a real eigenvalue of modulus at least one shows in a sign: `det(I - Π_w) ≤ 0` or
@@ -159,8 +150,8 @@ fn not_positive(factors: &[Polynomial<Integer>]) -> Region {
     if factors.iter().any(Ring::is_zero) {
         return Region::line();
     }
-    let roots = Region::points(factors.iter().flat_map(real_roots)).ends();
-    union_of_gaps(&roots, |sample| {
+    let roots = Region::points(factors.iter().flat_map(real_roots));
+    cuts_and_gaps(&roots, |sample| {
         factors.iter().filter(|p| p.sign_at(sample).is_lt()).count() % 2 == 1
     })
 }
@@ -187,17 +178,12 @@ pub(crate) fn rough_set(product: &Product) -> Region {
         let at = characteristic.coefficients().iter().map(|c| c.value_at(sample));
         is_schur_stable(&Polynomial::new(at.collect::<Vec<Rational>>()).cleared().1)
     };
-    union_of_gaps(&cuts.ends(), |sample| !characteristics.iter().all(|c| is_stable(c, sample)))
+    cuts_and_gaps(&cuts, |sample| !characteristics.iter().all(|c| is_stable(c, sample)))
 }
 
 /// The cuts, and the open intervals between them whose samples satisfy a condition.
-fn union_of_gaps(cuts: &[RealAlgebraic], holds: impl Fn(&Rational) -> bool) -> Region {
-    let open = |x: Option<&RealAlgebraic>| x.map_or(Bound::Infinite, |x| Bound::Open(x.clone()));
-    let gaps = (0..=cuts.len()).filter_map(|i| {
-        let (lower, upper) = (i.checked_sub(1).map(|i| &cuts[i]), cuts.get(i));
-        holds(&sample_between(lower, upper)).then(|| Region::interval(open(lower), open(upper)))
-    });
-    Region::union_of(gaps.chain([Region::points(cuts.iter().cloned())]))
+fn cuts_and_gaps(cuts: &Region, holds: impl Fn(&Rational) -> bool) -> Region {
+    Interval::LINE.gaps_where(&cuts.ends(), holds).union(cuts)
 }
 
 #[cfg(test)]

@@ -44,6 +44,14 @@ pub(crate) struct Crossing {
     pub determinant: Polynomial<Integer>,
 }
 
+impl Crossing {
+    /// One for each sign and factor of the determinants of a word.
+    pub fn all(word: &Word, determinants: Vec<(i32, Polynomial<Integer>)>) -> Vec<Crossing> {
+        let crossing = |(sign, determinant)| Crossing { word: word.clone(), sign, determinant };
+        determinants.into_iter().map(crossing).collect()
+    }
+}
+
 /// What searches have in common.
 pub(crate) struct Search<'a> {
     pub pencil: &'a Pencil,

@@ -3,8 +3,7 @@
 use proptest::prelude::*;
 use refinable_algebra::{
     Integer, Ordered, Rational, Ring, binomial, bit_length, clear_denominators, decimal,
-    floor_half_power, integer, integer_square_root, least_common_multiple, parse_rational,
-    rational,
+    dyadic_floor, integer, integer_square_root, least_common_multiple, parse_rational, rational,
 };
 
 use crate::generate::{fraction, whole};
@@ -100,7 +99,7 @@ proptest! {
 
     #[test]
     fn the_floor_at_so_many_bits_is_the_largest_below(x in scattered(), bits in 0u32..=40) {
-        let floor = floor_half_power(&x, bits);
+        let floor = dyadic_floor(&x, bits);
         let unit = Rational::new(integer(1), integer(2).power(bits));
         prop_assert!((&floor / &unit).is_integer());
         prop_assert!(floor <= x && x < floor + unit);

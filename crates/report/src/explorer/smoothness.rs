@@ -14,7 +14,7 @@ use refinable_analysis::{
 use refinable_certificate::{
     CellVerdict, Certificate, Conclusion, Node, Number, Section, parts_of_box,
 };
-use refinable_reals::{Bound, Interval, RealAlgebraic, Region, sample_between};
+use refinable_reals::{Bound, Interval, RealAlgebraic, Region};
 use refinable_scheme::{Diagnostic, Scheme};
 use serde_json::{Value, json};
 
@@ -78,7 +78,7 @@ pub(super) fn line(
     let centre = ranges.iter().rev().find_map(|range| {
         let intervals = range.proved.intervals();
         let proper = intervals.iter().find(|interval| interval.as_point().is_none())?;
-        Some(sample_between(proper.lower.number(), proper.upper.number()))
+        Some(proper.sample())
     });
     let data = json!({"kind": "line", "window": [texts(&window)], "ranges": data});
     Ok((data, centre.unwrap_or_else(Rational::zero)))
@@ -130,7 +130,7 @@ fn range_data(range: &ContinuityRange) -> Value {
 fn intervals(region: &Region, verdict: &str, variable: &str) -> Vec<Value> {
     let data = |interval: &Interval| {
         let end = |bound: &Bound| bound.number().map_or(Value::Null, number);
-        let alone = Region::interval(interval.lower.clone(), interval.upper.clone());
+        let alone = Region::from(interval);
         json!({
             "verdict": verdict,
             "lower": end(&interval.lower),
