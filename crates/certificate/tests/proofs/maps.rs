@@ -149,11 +149,9 @@ fn sections_are_about_the_masks_at_their_points() {
     let (cubic, linear) = ([1, 4, 6, 4, 1], [0, 4, 8, 4, 0]);
     assert_eq!(with(section(&cubic, "1/8"), -2), Ok(()));
     assert_eq!(with(section(&linear, "0"), -2), Ok(()));
-    for (section, lowest) in [
-        (section(&cubic, "1/7"), -2),
-        (section(&linear, "1/8"), -2),
-        (section(&cubic, "1/8"), -1),
-    ] {
+    for (section, lowest) in
+        [(section(&cubic, "1/7"), -2), (section(&linear, "1/8"), -2), (section(&cubic, "1/8"), -1)]
+    {
         let error = with(section, lowest).expect_err("other masks");
         assert!(error.contains("other masks than those of the line"), "{error}");
     }
