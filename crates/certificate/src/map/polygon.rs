@@ -184,6 +184,26 @@ mod tests {
         }
     }
 
+    /// Barycentric coordinates tell, at corners with different denominators.
+    #[test]
+    fn a_triangle_contains_the_means_of_its_corners() {
+        let corners = [(0, 0), (3, 2), (2, 5)].map(|(p, q)| [rational(p, 7), rational(q, 4)]);
+        let mut corners = corners.to_vec();
+        corners[1][0] = rational(-3, 5);
+        corners.reverse();
+        let triangle = Polygon::new(&corners).unwrap();
+        for i in -2..=6 {
+            for j in -2..=6 {
+                let weights = [i, j, 4 - i - j].map(|w| rational(w, 4));
+                let mean = |k: usize| {
+                    weights.iter().zip(&corners).map(|(w, corner)| w * &corner[k]).sum::<Rational>()
+                };
+                let inside = i >= 0 && j >= 0 && i + j <= 4;
+                assert_eq!(triangle.contains(&[mean(0), mean(1)]), inside, "{i} {j}");
+            }
+        }
+    }
+
     #[test]
     fn only_convex_polygons_in_order() {
         let points = [point(0, 0), point(2, 0), point(2, 2), point(0, 2)];

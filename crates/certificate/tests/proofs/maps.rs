@@ -228,3 +228,54 @@ fn inequalities_on_both_sides_of_a_pole() {
         assert_eq!(found == 0, converges);
     }
 }
+
+/// `(1+z) (-x + (1+2x) z - x z²)`, whose matrices are `[[1+2x, 0], [-x, -x]]` and its half turn, with a proof on the
+/// box of `x`.
+fn of_two_rows(ends: [&str; 2], proof: Value) -> Result<Vec<CellVerdict>, String> {
+    let mut changed = map();
+    let outer = json!([["-1", 1, 0]]);
+    let inner = json!([["1", 0, 0], ["1", 1, 0]]);
+    changed["family"]["mask"] = json!([outer, inner, inner, outer]);
+    changed["box"][0] = json!(ends);
+    changed["nodes"] = json!([proof]);
+    check(&changed)
+}
+
+/// `1 - A A^T` is positive definite for `x = -1/4`, where `A A^T = [[4, 2], [2, 2]]/16`, and `A` turned round has the
+/// same.
+#[test]
+fn the_unit_disc_shrinks() {
+    let discs = |form: [i64; 3]| {
+        let corners = vec![[form]; 4];
+        json!({"kind": "ellipsoids", "memory": 0, "corners": corners})
+    };
+    assert_eq!(of_two_rows(["-1/4", "-1/8"], discs([1, 0, 1])), Ok(vec![CellVerdict::Proved]));
+    for (ends, form) in [(["0", "1/8"], [1, 0, 1]), (["-1/4", "-1/8"], [64, 0, 1])] {
+        let error = of_two_rows(ends, discs(form)).expect_err("it does not shrink");
+        assert!(error.contains("mapped below"), "{error}");
+    }
+}
+
+/// For `x = 1/2` the form `P = [[-2, 1], [1, 4]]` is more than `A P A^T`, by the diagonal 6, 3; so `A`, with the eigenvalue
+/// 2, grows.
+#[test]
+fn a_form_that_is_negative_somewhere_grows() {
+    let grows = |form: [i64; 3], vector: [i64; 2]| {
+        let corners = vec![[form]; 4];
+        json!({"kind": "expansion", "word": "0", "vector": vector, "corners": corners})
+    };
+    let refuted = Ok(vec![CellVerdict::Refuted { if_stable: false }]);
+    let ends = ["1/2", "9/16"];
+    for vector in [[1, 0], [3, 1]] {
+        assert_eq!(of_two_rows(ends, grows([-2, 1, 4], vector)), refuted);
+    }
+    for (ends, form, vector, because) in [
+        (ends, [-2, 1, 4], [1, 2], "not negative at the vector"),
+        (ends, [-2, 1, -4], [1, 0], "mapped below"),
+        (ends, [-2, 5, 4], [1, 0], "mapped below"),
+        (["-1/4", "-1/8"], [-2, 1, 4], [1, 0], "mapped below"),
+    ] {
+        let error = of_two_rows(ends, grows(form, vector)).expect_err("it does not grow");
+        assert!(error.contains(because), "{error}");
+    }
+}
