@@ -9,6 +9,9 @@ const COLORS: [&str; 4] = [BLUE, GREEN, RED, BLACK];
 const SIZE: Place = [720.0, 440.0];
 /// Decades that are added below, for the numbers on the axes.
 const ROOM: f64 = 0.12;
+/// What part of an axis ends of lines are apart whose labels would cover each other, and the height of a label.
+const CLOSE: f64 = 0.04;
+const LINE: f64 = 16.0;
 
 /// A line for each series, with its exponent, over a grid of round numbers.
 pub(crate) fn growth_picture(title: &str, label: &str, series: &[&Series]) -> String {
@@ -28,12 +31,18 @@ pub(crate) fn growth_picture(title: &str, label: &str, series: &[&Series]) -> St
         shapes.push(Shape::line(vec![[low[0], at], [high[0], at]], false, GREY));
         shapes.push(note([low[0], at], [2.0, -3.0], "start", format!("{text} ms")));
     }
+    let near =
+        |a: &Place, b: &Place| (0..2).all(|k| (a[k] - b[k]).abs() < CLOSE * (high[k] - low[k]));
+    let mut labelled: Vec<Place> = Vec::new();
     for ((series, points), color) in series.iter().zip(lines).zip(COLORS.into_iter().cycle()) {
         let text = format!("{}: exponent {:.1}", series.task, series.exponent());
         let last = *points.last().expect("at least three points");
         shapes.push(Shape::Dots { points: points.clone(), color, radius: 3.0 });
         shapes.push(Shape::line(points, false, color));
-        shapes.push(note(last, [-10.0, -4.0], "end", text));
+        // Where lines end together their labels stand below each other.
+        let above = labelled.iter().filter(|other| near(other, &last)).count();
+        shapes.push(note(last, [-10.0, -4.0 + LINE * above as f64], "end", text));
+        labelled.push(last);
     }
     let caption = vec![format!("{label} across, milliseconds of processor time upwards")];
     sheet(title, &[Panel { caption, shapes, stretched: true }], 1, SIZE)

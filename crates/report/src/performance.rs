@@ -101,7 +101,8 @@ impl Measurements {
         self.growth.iter().filter(|series| series.axis == axis).collect()
     }
 
-    fn page(&self) -> String {
+    /// The page in Markdown.
+    pub(crate) fn page(&self) -> String {
         let [growth, peers, limits] = &self.files;
         let mut text = format!(
             "# Speed\n\n## How time grows\n\n{}\nWritten by `benches/peers/growth` as [growth.csv](growth.csv). The \
@@ -210,7 +211,8 @@ fn records(text: &str, name: &str) -> Result<Vec<Vec<String>>, Diagnostic> {
 fn notes(text: &str) -> String {
     text.lines()
         .filter_map(|line| line.strip_prefix('#'))
-        .map(|line| format!("*{line}\n"))
+        // The name of a processor is no formula.
+        .map(|line| format!("*{}\n", line.replace("x86_64", "`x86_64`")))
         .collect()
 }
 

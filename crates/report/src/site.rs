@@ -59,7 +59,14 @@ pub fn report_site(
     }
     html::publish(
         &mut site,
-        &Report { paper, audit, families, figures: &figures, comparison: &comparison },
+        &Report {
+            paper,
+            audit,
+            families,
+            figures: &figures,
+            comparison: &comparison,
+            measurements,
+        },
     );
     Ok(site)
 }

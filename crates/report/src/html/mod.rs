@@ -5,6 +5,7 @@
 mod errata;
 mod grid;
 mod index;
+mod markdown;
 mod page;
 mod pictures;
 mod table;
@@ -19,6 +20,7 @@ use crate::audit::{Agreement, Audit};
 use crate::families::FamilyMaps;
 use crate::figures::Figure;
 use crate::grid::Document;
+use crate::performance::Measurements;
 use crate::site::Site;
 use page::Page;
 
@@ -34,6 +36,8 @@ pub(crate) struct Report<'a> {
     pub figures: &'a [Figure],
     /// The comparison tables.
     pub comparison: &'a Document,
+    /// What is known about speed, if something has been measured.
+    pub measurements: Option<&'a Measurements>,
 }
 
 impl Report<'_> {
@@ -52,6 +56,7 @@ pub(crate) fn publish(site: &mut Site, report: &Report<'_>) {
     let mut pages: Vec<Page> = single.iter().map(|page| page(report)).collect();
     pages.extend(table::pages(report));
     pages.extend(pictures::maps(report));
+    pages.extend(report.measurements.map(speed));
     for page in pages {
         site.insert(page.path.clone(), page.document(report));
     }
@@ -66,6 +71,15 @@ fn comparison(report: &Report<'_>) -> Page {
         (page::latex(&report.comparison.latex()))
     };
     Page { path: "comparison.html".into(), title: "Comparison".into(), content }
+}
+
+/// The page about speed.
+const SPEED: &str = "performance/index.html";
+
+/// How time grows, and that of others.
+fn speed(measurements: &Measurements) -> Page {
+    let content = html! { section.notes { (markdown::markdown(&measurements.page())) } };
+    Page { path: SPEED.into(), title: "Speed".into(), content }
 }
 
 /// A verdict as sign and word.

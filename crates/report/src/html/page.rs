@@ -3,7 +3,7 @@
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use super::typeset::typeset;
-use super::{INDEX, Report};
+use super::{INDEX, Report, SPEED};
 use crate::families::MAPS;
 use crate::figures::FIGURES;
 
@@ -54,6 +54,7 @@ impl Page {
                                 (link(&format!("{MAPS}/{}.html", family.name()), &format!("Map of {}", family.name())))
                             }
                             (link(&format!("{FIGURES}/index.html"), "Figures"))
+                            @if report.measurements.is_some() { (link(SPEED, "Speed")) }
                         }
                     }
                     main #content {

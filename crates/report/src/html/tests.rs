@@ -51,6 +51,7 @@ fn site() -> Site {
         families: &[],
         figures: &[],
         comparison: &comparison,
+        measurements: None,
     };
     let mut site = Site::new();
     publish(&mut site, &report);
