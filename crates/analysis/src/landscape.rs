@@ -88,10 +88,6 @@ pub fn landscape(
     for (locus, choices) in places {
         // Where eigenvalues meet the radius may escape: a place not quite so smooth does as well.
         let summit = choices.into_iter().find_map(|parameters| {
-            // Set one after the other, parameters may hide a pole.
-            if plane.is_pole(&plane.point(&parameters)) {
-                return None;
-            }
             let member = mask.at(&parameters).ok()?;
             let regularity = regularity(name, &member, &Options::default()).ok()?;
             Some(Summit { locus: locus.clone(), parameters, regularity })

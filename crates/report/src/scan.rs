@@ -3,12 +3,12 @@
 use std::collections::BTreeMap;
 
 use rayon::prelude::*;
-use refinable_algebra::{Parameter, ParameterFraction, ParameterPolynomial, Rational, rational};
+use refinable_algebra::{Parameter, Rational, rational};
 use refinable_analysis::{
     Budget, Fineness, Map, MapVerdict, Options, Plane, PointVerdict, PointwiseNorm, Sharpness,
     Window, continuity_at, degrees, map, regularity,
 };
-use refinable_scheme::{Diagnostic, Normalised, Scheme, Substitution};
+use refinable_scheme::{Diagnostic, Normalised, Scheme};
 use serde_json::json;
 
 use crate::regularity::outward;
@@ -178,12 +178,12 @@ impl Scan {
 
     /// The scheme's mask at a point; `None` at a pole.
     fn mask_at(&self, point: &[Rational; 2]) -> Option<Normalised> {
-        let substitution = |(axis, value): (&Axis, &Rational)| {
-            let value = ParameterFraction::from(ParameterPolynomial::constant(value.clone()));
-            Substitution::new(axis.parameter.clone(), value)
+        let mask = self.scheme.mask();
+        let value = |p: &Parameter| {
+            let axis = self.axes.iter().position(|axis| axis.parameter == *p)?;
+            Some(point[axis].clone())
         };
-        let all: Vec<Substitution> = self.axes.iter().zip(point).map(substitution).collect();
-        Some(self.scheme.with(&all).ok()?.mask().clone())
+        mask.at(&mask.parameters().iter().map(value).collect::<Option<Vec<_>>>()?).ok()
     }
 
     /// The largest proved order, and what is known of the next one.

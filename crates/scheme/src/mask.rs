@@ -222,14 +222,14 @@ impl Mask {
     ) -> Result<Self, Diagnostic> {
         let symbol = self.symbol.substitute(parameter, value, budget);
         let symbol = symbol.map_err(|error| match error.code() {
-            "pole" => self.pole_at(parameter, value),
+            "pole" => self.pole_at(&format!("{parameter} = {}", shortened(value))),
             _ => error,
         })?;
         Mask::of_quotient(self.arity, symbol, budget)
     }
 
-    fn pole_at(&self, parameter: &Parameter, value: &ParameterFraction) -> Diagnostic {
-        let message = format!("the mask has a pole at {parameter} = {}", shortened(value));
+    pub(crate) fn pole_at(&self, place: &str) -> Diagnostic {
+        let message = format!("the mask has a pole at {place}");
         Diagnostic::new("pole", message).with_hint(format!(
             "its denominator {} vanishes there",
             shortened(format!("{:#}", self.denominator()))

@@ -1,5 +1,6 @@
 //! Masks whose stencils are affine combinations: the precondition of every analysis, as a type.
 
+use std::collections::BTreeMap;
 use std::fmt;
 use std::ops::Deref;
 
@@ -47,15 +48,23 @@ impl Normalised {
         Ok(result)
     }
 
-    /// The mask at values of all its parameters, in their order.
+    /// The mask at values of all its parameters, in their order, taken together: `a/b` has a pole at `a = b = 0`, which
+    /// one substitution after the other hides.
     ///
     /// # Errors
-    /// Code `substitution` for another number of values; those of [`Mask::substitute`].
+    /// Code `substitution` for another number of values, `pole` if the denominator vanishes there; those of
+    /// [`Mask::substitute`].
     pub fn at(&self, values: &[Rational]) -> Result<Self, Diagnostic> {
         let parameters = self.parameters();
         if parameters.len() != values.len() {
             let message = format!("{} values for {} parameters", values.len(), parameters.len());
             return Err(Diagnostic::new("substitution", message));
+        }
+        let point: BTreeMap<_, _> =
+            parameters.iter().cloned().zip(values.iter().cloned()).collect();
+        if self.denominator().value_at(&point).is_some_and(|d| d.is_zero()) {
+            let places: Vec<String> = point.iter().map(|(p, x)| format!("{p} = {x}")).collect();
+            return Err(self.pole_at(&places.join(", ")));
         }
         parameters.iter().zip(values).try_fold(self.clone(), |mask, (parameter, value)| {
             let value = ParameterPolynomial::constant(value.clone()).into();

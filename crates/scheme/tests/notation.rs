@@ -280,6 +280,10 @@ fn substitutions_that_make_no_sense_are_refused() {
     assert_eq!(refused(&["alpha=1", "alpha=1"]).message(), "`alpha` is set twice");
     let pole = resolve("[1/(1-t), 1, t/(t-1)]").with(&set(&["t=1"])).unwrap_err();
     assert_eq!((pole.code(), pole.message()), ("pole", "the mask has a pole at t = 1"));
+    // All at once there is no order in which 0/b is 0 first.
+    let hidden = resolve("[a/b, 1/2, 1-2*a/b, 1/2, a/b]");
+    let hidden = hidden.mask().at(&[0, 0].map(|x| rational(x, 1))).unwrap_err();
+    assert_eq!((hidden.code(), hidden.message()), ("pole", "the mask has a pole at a = 0, b = 0"));
     assert_eq!(pole.hint(), Some("its denominator t - 1 vanishes there"));
     for (text, code) in [
         ("z=1", "substitution"),
