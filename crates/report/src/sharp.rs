@@ -218,10 +218,12 @@ pub fn statement(certificate: &Certificate) -> String {
             let parts = [part("proved", proved), part("refuted", refuted)];
             let text = parts.into_iter().flatten().collect::<Vec<_>>().join(", ");
             let text = if text.is_empty() { "nothing decided".into() } else { text };
-            let along = family
-                .curve
-                .as_ref()
-                .map(|curve| format!(" (a line of masks along which {} runs)", curve.parameter));
+            let along = family.curve.as_ref().map(|curve| {
+                format!(
+                    ", in the coordinate of a line of masks along which {} runs",
+                    curve.parameter
+                )
+            });
             format!("{} is C^{continuity}: {text}{}", family.name, along.unwrap_or_default())
         }
         Conclusion::Regularity { holder: [lower, upper], .. } => {
