@@ -156,15 +156,13 @@ impl fmt::Display for ParameterFraction {
         let top = primitive.scaled(&Rational::from(content.numer().clone()));
         let bottom = self.denominator.scaled(&Rational::from(content.denom().clone()));
         let sign = if negative { "-" } else { "" };
-        let bracket = |p: &ParameterPolynomial| {
-            if p.terms().len() > 1 { format!("({p:#})") } else { format!("{p:#}") }
-        };
+        let bracket = |text: String, needed: bool| if needed { format!("({text})") } else { text };
+        let above = bracket(format!("{top:#}"), top.terms().len() > 1);
         // A product below the bar needs brackets too: 1/(2*alpha).
-        let below = match bottom.terms().len() {
-            1 if bottom.as_constant().is_none() => format!("({bottom:#})"),
-            _ => bracket(&bottom),
-        };
-        f.pad(&format!("{sign}{}/{below}", bracket(&top)))
+        let below = format!("{bottom:#}");
+        let product = below.contains('*');
+        let below = bracket(below, product || bottom.terms().len() > 1);
+        f.pad(&format!("{sign}{above}/{below}"))
     }
 }
 

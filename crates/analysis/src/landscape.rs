@@ -112,7 +112,7 @@ fn special_places(plane: &Plane, window: &Window) -> Vec<(Locus, Vec<[Rational; 
     let mut found = Vec::new();
     let mut seen = None;
     for order in plane.order() + 1.. {
-        let Some(common) = plane.divisible_along(order) else { break };
+        let Some(common) = plane.divisible_along(order, window) else { break };
         if seen.as_ref() == Some(&common) {
             continue;
         }

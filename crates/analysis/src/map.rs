@@ -8,7 +8,7 @@ use refinable_certificate::{
     Number, Polygon, Section, Terms, VERSION, parts_of_box, verify_map,
 };
 use refinable_reals::RealAlgebraic;
-use refinable_scheme::{Diagnostic, Normalised};
+use refinable_scheme::{Diagnostic, Normalised, geometric_factor};
 use refinable_spectral::{Effort, Window, outline, partition};
 
 use crate::area::Area;
@@ -98,6 +98,7 @@ pub fn map(
     fineness: &Fineness,
 ) -> Result<Map, Diagnostic> {
     let plane = divisible_plane(name, mask, window)?;
+    expect_readable_degree(&plane)?;
     let order = plane.order();
     let family = plane.family(order);
     let checker = MapChecker::new(&family, continuity).map_err(invalid)?;
@@ -117,7 +118,7 @@ pub fn map(
         let node = if stable_at.is_some() { Node::Indivisible } else { Node::Undecided };
         roots = (0..parts.len()).collect();
         nodes = vec![node; parts.len()];
-        sections = on_line(&plane, continuity);
+        sections = on_line(&plane, window, continuity);
     }
     let certificate = MapCertificate {
         format: MAP_FORMAT.into(),
@@ -167,23 +168,40 @@ pub(crate) fn divisible_plane(
     window: &Window,
 ) -> Result<Plane, Diagnostic> {
     let plane = Plane::new(name, mask)?;
-    check_window(window)?;
+    check_window(&plane, window)?;
     if plane.order() == 0 {
-        let message = "(1 + z) does not divide the symbol for all values of the parameters";
+        let factor = geometric_factor(plane.arity());
+        let message =
+            format!("{factor} does not divide the symbol for all values of the parameters");
         return Err(Diagnostic::new("divisibility", message));
     }
     Ok(plane)
 }
 
-fn check_window([u, v]: &Window) -> Result<(), Diagnostic> {
-    for [low, high] in [u, v] {
+fn check_window(plane: &Plane, window: &Window) -> Result<(), Diagnostic> {
+    let [u, v] = plane.parameters();
+    for [low, high] in window {
         if low >= high {
             let message = format!("the box is empty: {low} is not less than {high}");
-            return Err(Diagnostic::new("box", message)
-                .with_hint("give the lower end first: --box 'alpha=-1/4..3/4,beta=-1/2..1/2'"));
+            let hint = format!("give the lower end first: --box '{u}=-1/4..3/4,{v}=-1/2..1/2'");
+            return Err(Diagnostic::new("box", message).with_hint(hint));
         }
     }
     Ok(())
+}
+
+/// Asked before a search: whether a checker reads masks of such a degree.
+fn expect_readable_degree(plane: &Plane) -> Result<(), Diagnostic> {
+    let degree = plane.degree();
+    if degree <= MOST_DEGREE {
+        return Ok(());
+    }
+    let message = format!(
+        "the mask has degree {degree} in its parameters, and maps are read up to {MOST_DEGREE}"
+    );
+    let [_, v] = plane.parameters();
+    let hint = format!("set one of them and ask for the `range` of the other: --set {v}=VALUE");
+    Err(Diagnostic::new("budget", message).with_hint(hint))
 }
 
 /// A point near the middle of the box at which the shifts are stable, as they are almost everywhere.
@@ -206,9 +224,9 @@ fn forget_refuted(nodes: &mut [Node]) {
     }
 }
 
-/// C^n on the line, or at the point, where `σ^(n+1)` divides, if there is one and masks are affine.
-fn on_line(plane: &Plane, continuity: usize) -> Vec<Section> {
-    let Some((origin, direction)) = plane.divisible_along(continuity + 1) else {
+/// C^n on the line, or at the point, where `σ^(n+1)` divides, or of the one mask for which it does, if that is all.
+fn on_line(plane: &Plane, window: &Window, continuity: usize) -> Vec<Section> {
+    let Some((origin, direction)) = plane.divisible_along(continuity + 1, window) else {
         return Vec::new();
     };
     let Some(masks) = plane.along(&origin, &direction) else { return Vec::new() };
@@ -221,6 +239,9 @@ fn on_line(plane: &Plane, continuity: usize) -> Vec<Section> {
     let certificate = proof.certificate();
     vec![Section { origin: origin.map(Number), direction: direction.map(Number), certificate }]
 }
+
+/// The largest total degree of the numerators and the denominator of a map.
+const MOST_DEGREE: u32 = 6;
 
 type Form = Polynomial<Polynomial<Rational>>;
 
@@ -303,14 +324,16 @@ impl Map {
         conditions.iter().all(|c| value(c).is_zero())
     }
 
-    /// What is proved at a point on the line of a section.
+    /// What is proved at a point on the line of a section, or with the mask of one.
     fn on_section(&self, point: &[Rational; 2]) -> MapVerdict {
         let at = |section: &Section| {
             let [origin, direction] =
                 [&section.origin, &section.direction].map(|p| p.each_ref().map(|c| c.0.clone()));
-            let moving = (0..2).find(|&i| !direction[i].is_zero());
-            let t =
-                moving.map_or_else(Rational::zero, |i| (&point[i] - &origin[i]) / &direction[i]);
+            let Some(moving) = (0..2).find(|&i| !direction[i].is_zero()) else {
+                let same = self.plane.mask_at(&origin) == self.plane.mask_at(point);
+                return same.then(|| RealAlgebraic::from(Rational::zero()));
+            };
+            let t = (&point[moving] - &origin[moving]) / &direction[moving];
             let there = (0..2).all(|i| &origin[i] + &direction[i] * &t == point[i]);
             there.then(|| RealAlgebraic::from(t))
         };

@@ -3,14 +3,18 @@
 use std::collections::BTreeMap;
 
 use refinable_algebra::{
-    Laurent, Matrix, Monomial, Parameter, ParameterPolynomial, Polynomial, Rational, Ring,
+    Laurent, Matrix, Monomial, Parameter, ParameterPolynomial, Polynomial, Rational, Ring, rational,
 };
 use refinable_certificate::{Chart, Number, PlaneFamily, Terms};
+use refinable_reals::common_roots;
 use refinable_scheme::{Diagnostic, Normalised};
-use refinable_spectral::PlanePencil;
+use refinable_spectral::{PlanePencil, Window};
 
 use crate::budget::expect_readable_words;
 use crate::line::letters;
+
+/// Lines through a box for each coordinate, less one.
+const PARTS: i64 = 16;
 
 /// The parts of a mask by exponents of two variables.
 type Parts = BTreeMap<(u32, u32), Laurent<Rational>>;
@@ -114,12 +118,16 @@ impl Plane {
         self.denominator.is_none() && self.parts.keys().all(|(i, j)| i + j <= 1)
     }
 
+    /// The largest total degree of a numerator or the denominator, in the parameters or in `x` and `y`.
+    pub(crate) fn degree(&self) -> u32 {
+        let numerators = self.parts.keys().chain(self.in_parameters.keys());
+        let all = numerators.chain(self.denominator.iter().flat_map(BTreeMap::keys));
+        all.map(|(i, j)| i + j).max().unwrap_or(0)
+    }
+
     /// Whether there is no mask at the point `(x, y)`, as the denominator vanishes.
     pub fn is_pole(&self, [x, y]: &[Rational; 2]) -> bool {
-        self.denominator.as_ref().is_some_and(|terms| {
-            let term = |((i, j), c): (&(u32, u32), &Rational)| c * x.power(*i) * y.power(*j);
-            terms.iter().map(term).sum::<Rational>().is_zero()
-        })
+        self.denominator_at(x, y).is_zero()
     }
 
     /// The point `(x, y)` of the parameters.
@@ -217,19 +225,50 @@ impl Plane {
     }
 
     /// The line, or the point, of the plane of `(x, y)` on which `σ^order` divides the symbol: a point of it, and
-    /// how it goes on. `None` if it is neither, or masks are not affine.
-    pub(crate) fn divisible_along(&self, order: usize) -> Option<([Rational; 2], [Rational; 2])> {
-        if self.is_affine() { common_line(&self.divisibility(order)) } else { None }
+    /// how it goes on. If masks are not affine, a point in the box if the mask is the same at all those that are found.
+    pub(crate) fn divisible_along(
+        &self,
+        order: usize,
+        window: &Window,
+    ) -> Option<([Rational; 2], [Rational; 2])> {
+        let conditions = self.divisibility(order);
+        if self.is_affine() {
+            return common_line(&conditions);
+        }
+        let mut points = common_points(&conditions, window);
+        points.retain(|point| !self.is_pole(point));
+        let mask = self.mask_at(points.first()?);
+        let same = points.len() > 1 && points.iter().all(|point| self.mask_at(point) == mask);
+        let shortest =
+            points.into_iter().min_by_key(|[x, y]| x.to_string().len() + y.to_string().len());
+        shortest.filter(|_| same).map(|point| (point, [Rational::zero(), Rational::zero()]))
+    }
+
+    /// The mask at a point `(x, y)` that is no pole.
+    pub(crate) fn mask_at(&self, [x, y]: &[Rational; 2]) -> Laurent<Rational> {
+        let power = |i: u32, j: u32| x.power(i) * y.power(j);
+        let parts = self.parts.iter().map(|((i, j), part)| part.scaled(&power(*i, *j)));
+        let numerator = parts.fold(Laurent::new(0, Vec::new()), |sum, part| sum.plus(&part));
+        numerator.scaled(&self.denominator_at(x, y).recip())
+    }
+
+    fn denominator_at(&self, x: &Rational, y: &Rational) -> Rational {
+        self.denominator.as_ref().map_or_else(Rational::one, |terms| {
+            terms.iter().map(|((i, j), c)| c * x.power(*i) * y.power(*j)).sum()
+        })
     }
 
     /// The mask at a point of the plane of `(x, y)`, moving along a direction: `p + t q`.
     ///
-    /// `None` if the masks are not affine.
+    /// `None` if the masks are not affine and the direction is not zero.
     pub fn along(
         &self,
         origin: &[Rational; 2],
         direction: &[Rational; 2],
     ) -> Option<[Laurent<Rational>; 2]> {
+        if direction.iter().all(Rational::is_zero) {
+            return Some([self.mask_at(origin), Laurent::new(0, Vec::new())]);
+        }
         let part = |i: u32, j: u32| {
             self.parts.get(&(i, j)).cloned().unwrap_or_else(|| Laurent::new(0, Vec::new()))
         };
@@ -295,6 +334,39 @@ fn chart(parts: &Parts) -> Option<(Polynomial<Rational>, Parts)> {
     }
     plane.insert((0, 1), product.scaled(&scale));
     Some((factor, plane))
+}
+
+/// Points of a box at which polynomials in `x` and `y` vanish together: those on lines through it of one coordinate.
+fn common_points(
+    conditions: &[Polynomial<Polynomial<Rational>>],
+    window: &Window,
+) -> Vec<[Rational; 2]> {
+    let within = |axis: usize, x: &Rational| window[axis][0] <= *x && *x <= window[axis][1];
+    let across = |axis: usize| {
+        let [low, high] = &window[axis];
+        (0..=PARTS).flat_map(move |k| {
+            let fixed = low + (high - low) * rational(k, PARTS);
+            let restricted = |c: &Polynomial<Polynomial<Rational>>| {
+                let on_line = match axis {
+                    0 => c.map(|row| row.evaluate(&fixed)),
+                    _ => c.evaluate(&Polynomial::constant(fixed.clone())),
+                };
+                on_line.cleared().1
+            };
+            let restricted: Vec<_> =
+                conditions.iter().map(restricted).filter(|c| !c.is_zero()).collect();
+            let roots = if restricted.is_empty() { Vec::new() } else { common_roots(&restricted) };
+            let roots = roots.into_iter().filter_map(|root| root.as_rational().cloned());
+            let points = roots.filter(move |root| within(1 - axis, root)).map(move |root| {
+                if axis == 0 { [fixed.clone(), root] } else { [root, fixed.clone()] }
+            });
+            points.collect::<Vec<_>>()
+        })
+    };
+    let mut points: Vec<[Rational; 2]> = (0..2).flat_map(across).collect();
+    points.sort();
+    points.dedup();
+    points
 }
 
 /// The line or point where affine polynomials in `x` and `y` vanish together: a point of it, and how it

@@ -130,7 +130,7 @@ impl<'a> Proof<'a> {
         self.lemmas
             .push(Lemma::Stable { except: exceptions.iter().map(certificate_end).collect() });
         for x in doubtful.ends() {
-            let Some((verdict, lemmas)) = x.as_rational().and_then(|x| self.reduced(x)) else {
+            let Some((verdict, lemmas)) = x.as_rational().and_then(|x| self.exception(x)) else {
                 continue;
             };
             self.lemmas.extend(lemmas);
@@ -211,6 +211,14 @@ impl<'a> Proof<'a> {
             }
             Constant::Undecided => (PointVerdict::Undecided, Vec::new()),
         }
+    }
+
+    /// Decides C^n at a value that is listed as an exception, though perhaps none for its own order.
+    fn exception(&self, x: &Rational) -> Option<(PointVerdict, Vec<Lemma>)> {
+        self.reduced(x).or_else(|| {
+            let found = self.at(x);
+            matches!(found.0, PointVerdict::Proved | PointVerdict::Refuted).then_some(found)
+        })
     }
 
     /// Decides C^n at a value at which stability fails, by the mask `a q(z) / q(z²)` that has a limit

@@ -5,11 +5,11 @@ use refinable_certificate::{
     Certificate, Conclusion, End, FORMAT, Lemma, Number, Polytope, VERSION, verify,
 };
 use refinable_reals::{RealAlgebraic, logarithm};
-use refinable_scheme::{Diagnostic, Normalised};
+use refinable_scheme::{Diagnostic, Normalised, geometric_factor};
 use refinable_spectral::{Options, certificate_end, radius};
 
 use crate::line::Line;
-use crate::stability::{Instability, instability, reduction};
+use crate::stability::{Instability, instability, is_stable, reduction};
 
 /// Bits of the logarithms that are taken.
 const BITS: u32 = 60;
@@ -22,21 +22,21 @@ pub struct Regularity {
     pub divided_order: usize,
     /// A lower bound for `r`.
     pub lower: Rational,
-    /// An upper bound, valid only if the shifts are stable or the mask was reduced.
-    pub upper: Rational,
-    /// `ρ = 1/scale` for the joint spectral radius of the matrices of `c_{k-1}`, if it is known exactly:
-    /// `r = k - 1 + log_m scale`.
+    /// An upper bound; `None` if none is known because the shifts may not be stable.
+    pub upper: Option<Rational>,
+    /// `ρ = 1/scale` for the joint spectral radius of the matrices of `c_{k-1}`, if this is known exactly and
+    /// tells the exponent: `r = k - 1 + log_m scale`.
     pub scale: Option<RealAlgebraic>,
     /// The word whose product has this growth.
     pub word: String,
-    /// Whether the shifts are stable.
-    pub stable: bool,
+    /// Whether the shifts are stable; always known for arity two.
+    pub stable: Option<bool>,
     /// `q` if the exponent is that of the reduced mask `a(z) q(z) / q(z²)`, whose shifts are stable; all
     /// other fields are then about it.
     pub factor: Option<Polynomial<Integer>>,
     /// The largest `n` for which `r > n`: the scheme is C^n.
     pub continuity: Option<usize>,
-    /// The proof, checked; only if the upper bound is valid.
+    /// The proof, checked; only if there is an upper bound.
     pub certificate: Option<Certificate>,
 }
 
@@ -63,9 +63,9 @@ pub fn regularity(
         return Err(parameters_free(mask));
     }
     expect_proof(&line)?;
-    let stable = matches!(instability(&line), Instability::At(_));
-    let own = regularity_of(&line, stable, options)?;
-    if stable || own.continuity.is_none() {
+    let sharp = matches!(instability(&line), Instability::At(_));
+    let own = Regularity { stable: is_stable(&line), ..regularity_of(&line, sharp, options)? };
+    if sharp || own.continuity.is_none() {
         return Ok(own);
     }
     // A scheme that converges is as smooth as its limit function, and this as that of the reduced mask.
@@ -74,7 +74,7 @@ pub fn regularity(
     let reduced = reduced.named(format!("{name} reduced by {}", factor.display("z")));
     let found = expect_proof(&reduced).and_then(|()| regularity_of(&reduced, true, options));
     Ok(match found {
-        Ok(found) => Regularity { stable, factor: Some(factor), ..found },
+        Ok(found) => Regularity { stable: own.stable, factor: Some(factor), ..found },
         Err(_) => own,
     })
 }
@@ -82,13 +82,17 @@ pub fn regularity(
 /// Asked before the search: whether the scheme may converge, and a certificate be read.
 fn expect_proof(line: &Line) -> Result<(), Diagnostic> {
     if line.order() == 0 {
-        return Err(Diagnostic::new("regularity", "1 + z does not divide the symbol")
-            .with_hint("such a scheme does not converge"));
+        let message = format!("{} does not divide the symbol", geometric_factor(line.arity()));
+        return Err(
+            Diagnostic::new("regularity", message).with_hint("such a scheme does not converge")
+        );
     }
     line.expect_readable_proofs()
 }
 
-fn regularity_of(line: &Line, stable: bool, options: &Options) -> Result<Regularity, Diagnostic> {
+/// The exponent, from both sides if the criterion of contraction is sharp; whether the shifts are stable is left
+/// open.
+fn regularity_of(line: &Line, sharp: bool, options: &Options) -> Result<Regularity, Diagnostic> {
     let order = line.order();
     let pencil = line.scaled_pencil(order);
     let probe = |lemma: Lemma| {
@@ -104,7 +108,7 @@ fn regularity_of(line: &Line, stable: bool, options: &Options) -> Result<Regular
             .with_hint("`refinable certify SCHEME -n N` decides a single C^N, which may be easier")
     })?;
     let (lower, upper) = bounds(line, order, &found.from, &found.to);
-    let certificate = stable.then(|| {
+    let certificate = sharp.then(|| {
         let conclusion = Conclusion::Regularity {
             from: certificate_end(&found.from),
             to: certificate_end(&found.to),
@@ -118,15 +122,15 @@ fn regularity_of(line: &Line, stable: bool, options: &Options) -> Result<Regular
         let message = format!("the certificate found does not hold: {invalid}");
         return Err(Diagnostic::new("certificate", message));
     }
-    let scale = (found.from == found.to).then(|| found.from.clone());
+    let scale = (sharp && found.from == found.to).then(|| found.from.clone());
     Ok(Regularity {
         divided_order: order,
         continuity: continuity(line, order, &found.from),
         lower,
-        upper,
+        upper: sharp.then_some(upper),
         scale,
         word: found.word.to_string(),
-        stable,
+        stable: None,
         factor: None,
         certificate,
     })
@@ -190,7 +194,8 @@ mod tests {
             let (one, two) = (one.expect("bounds"), two.expect("bounds"));
             assert_eq!((one.continuity, two.continuity), (None, None));
             for each in [&one, &two] {
-                assert!(each.lower <= each.upper && &each.upper - &each.lower < near, "10^{power}");
+                let upper = each.upper.as_ref().expect("stable shifts");
+                assert!(each.lower <= *upper && upper - &each.lower < near, "10^{power}");
             }
             let step = one.lower - two.lower;
             assert!((step - rational(1, 1)).absolute() < near, "10^{power}");

@@ -7,7 +7,7 @@ use refinable_reals::{RealAlgebraic, real_roots_between, simple_roots};
 
 use crate::line::Line;
 
-/// Where on a line of binary masks the shifts may fail to be stable.
+/// Where on a line of masks the shifts may fail to be stable.
 pub(crate) enum Instability {
     /// At these `x` at most.
     At(Vec<RealAlgebraic>),
@@ -18,33 +18,87 @@ pub(crate) enum Instability {
 /// The values of `x` at which smoothness may not follow contraction: a list that contains all
 /// exceptional values.
 ///
-/// Common zeros of both submasks on the unit circle do no harm unless they are roots of unity of even
-/// order; all else is a cycle of zeros `-ζ^(2^k)`, `ζ` of odd order. The proof is in
-/// `docs/certificates.md`.
+/// For arity two, common zeros of both submasks on the unit circle do no harm unless they are roots of unity of
+/// even order; all else is a cycle of zeros `-ζ^(2^k)`, `ζ` of odd order. For others, some `z` on the circle
+/// must have `a(zω) = 0` for all `ω ≠ 1` with `ω^m = 1`. The proofs are in `docs/certificates.md`.
 ///
 /// # Source
 /// R. Q. Jia, J. Z. Wang, *Stability and linear independence associated with wavelet
 /// decompositions*, Proc. AMS 117 (1993); the treatment of opposite zeros is ours.
 pub(crate) fn instability(line: &Line) -> Instability {
-    if line.arity() != 2 {
-        return Instability::Everywhere;
-    }
-    let symbol = Symbol::new(line);
-    let (Some(opposite), Some(cycles)) = (opposite_zeros(&symbol), cycles(line, &symbol)) else {
-        return Instability::Everywhere;
-    };
-    let mut exceptions = [opposite, cycles].concat();
-    exceptions.sort();
-    exceptions.dedup();
-    Instability::At(exceptions)
+    let exceptions = if line.arity() == 2 { binary_exceptions(line) } else { zeros_but_one(line) };
+    exceptions.map_or(Instability::Everywhere, |mut exceptions| {
+        exceptions.sort();
+        exceptions.dedup();
+        Instability::At(exceptions)
+    })
 }
 
-/// For a mask `a` without parameter whose shifts are not stable: `q` and the mask `a q(z) / q(z²)`, one
+/// Whether the shifts of a scheme without parameter are stable, if that is known: always for arity two.
+pub(crate) fn is_stable(member: &Line) -> Option<bool> {
+    let sharp = matches!(instability(member), Instability::At(_));
+    if member.arity() > 2 {
+        return sharp.then_some(true);
+    }
+    // Common zeros of the submasks at which the criterion is sharp.
+    let symbol = Symbol::new(member);
+    let common = symbol.half(0).p.gcd(&symbol.half(1).p);
+    let modulus = squared_modulus(&common.map(|c| Rational::from(c.clone()))).cleared().1;
+    let ends = [1, -1].map(|end| modulus.sign_at(&Rational::from_i64(end)).is_gt());
+    let [one, minus_one] = [1, -1].map(Rational::from_i64);
+    let opposite =
+        ends.contains(&false) || !real_roots_between(&modulus, &minus_one, &one).is_empty();
+    Some(sharp && !opposite)
+}
+
+fn binary_exceptions(line: &Line) -> Option<Vec<RealAlgebraic>> {
+    let symbol = Symbol::new(line);
+    Some([opposite_zeros(&symbol)?, cycles(line, &symbol)?].concat())
+}
+
+/// For arity `m > 2` the `x` at which all contrasts of neighbouring submasks of `c` may vanish together on the
+/// circle; `None` for all `x`.
+///
+/// With `c(z) = Σ z^j c_j(z^m)` they are `z^j c_j(z^m) - z^(j+1) c_(j+1)(z^m)`.
+fn zeros_but_one(line: &Line) -> Option<Vec<RealAlgebraic>> {
+    let m = line.arity();
+    let c = line.difference_symbol(line.order().checked_sub(1)?).numerator;
+    let signed = |j: usize| {
+        move |(i, a): (usize, &Polynomial<Integer>)| match (i % m).checked_sub(j) {
+            Some(0) => a.clone(),
+            Some(1) => a.negated(),
+            _ => Polynomial::zero(),
+        }
+    };
+    let contrast =
+        |j| Laurent::new(0, c.coefficients().iter().enumerate().map(signed(j)).collect());
+    let contrasts: Vec<_> = (0..m - 1).map(contrast).filter(|part| !part.is_zero()).collect();
+    let have_common_zero = |x: &Rational| {
+        let moduli =
+            contrasts.iter().map(|part| squared_modulus(part.map(|c| c.value_at(x)).polynomial()));
+        !is_clearly_positive(&moduli.fold(Polynomial::zero(), |sum, modulus| sum.plus(&modulus)))
+    };
+    if line.parts().1.is_zero() {
+        return (!have_common_zero(&Rational::zero())).then(Vec::new);
+    }
+    let [first, second] = contrasts.get(..2)? else { return None };
+    let resultant = first.polynomial().resultant(second.polynomial());
+    if resultant.is_zero() {
+        return None;
+    }
+    let roots = simple_roots(&resultant).into_iter();
+    Some(roots.filter(|x| have_common_zero(&x.enclosure(&close()).0)).collect())
+}
+
+/// For a binary mask `a` without parameter whose shifts are not stable: `q` and the mask `a q(z) / q(z²)`, one
 /// of finitely many steps further stable, whose basic limit function is as smooth.
 ///
 /// A cycle `-ζ^(2^k)` of zeros, `Φ_{2r}(z) = Φ_r(-z)` with odd `r`, goes by `q = Φ_r`, since
 /// `Φ_r(z²) = Φ_r(z) Φ_r(-z)`; common zeros of the submasks go by `q` their common factor.
 pub(crate) fn reduction(member: &Line) -> Option<(Polynomial<Rational>, Line)> {
+    if member.arity() != 2 {
+        return None;
+    }
     let mut factor = Polynomial::<Rational>::one();
     let mut current = member.clone();
     for _ in 0..16 {
@@ -190,15 +244,19 @@ fn irrational_cycles(line: &Line) -> Option<Vec<RealAlgebraic>> {
     if resultant.is_zero() {
         return None;
     }
-    let near = Rational::new(integer(1), integer(1) << 60usize);
     let candidates =
         simple_roots(&resultant.cleared().1).into_iter().filter(|x| x.as_rational().is_none());
     let exceptions = candidates.filter(|x| {
-        let x = x.enclosure(&near).0;
+        let x = x.enclosure(&close()).0;
         let sum = [1, 2, 4].map(|k| squared_modulus(&turned(&x, k)));
         !is_clearly_positive(&sum[0].plus(&sum[1]).plus(&sum[2]))
     });
     Some(exceptions.collect())
+}
+
+/// How close to a root of a resultant polynomials are looked at.
+fn close() -> Rational {
+    Rational::new(integer(1), integer(1) << 60usize)
 }
 
 /// Whether a polynomial in `cos θ` stays above a small part of its value at `θ = 0`.
@@ -289,7 +347,11 @@ mod tests {
     use refinable_scheme::Scheme;
 
     fn exceptions(text: &str) -> Option<Vec<RealAlgebraic>> {
-        let scheme = Scheme::resolve(text, 2).unwrap();
+        exceptions_for(2, text)
+    }
+
+    fn exceptions_for(arity: usize, text: &str) -> Option<Vec<RealAlgebraic>> {
+        let scheme = Scheme::resolve(text, arity).unwrap();
         match instability(&Line::new(text, scheme.mask()).unwrap()) {
             Instability::At(list) => Some(list),
             Instability::Everywhere => None,
@@ -316,6 +378,56 @@ mod tests {
     fn cyclotomic_factors_make_shifts_dependent() {
         // (1-t) (1+z) + t (1+z³): at t = 1 the factor Φ_6 appears.
         assert_eq!(exceptions("(1-t)*(1+z)+t*(1+z^3)"), Some(vec![rational(1, 1).into()]));
+    }
+
+    /// B-splines are stable for every arity.
+    #[test]
+    fn splines_of_higher_arity_have_no_exceptions() {
+        for arity in 3..=6_usize {
+            let sigma: Vec<String> = (0..arity).map(|k| format!("z^{k}")).collect();
+            for power in 1..=4 {
+                let symbol = format!("{arity}*(({})/{arity})^{power}", sigma.join("+"));
+                assert_eq!(exceptions_for(arity, &symbol), Some(vec![]), "{symbol}");
+            }
+        }
+    }
+
+    /// If `φ` belongs to `a`, then `(φ + φ(· - 1))/2` belongs to `a(z) (1 + z^m)/(1 + z)` for odd `m`, and its shifts,
+    /// taken with alternating signs, have the sum zero.
+    #[test]
+    fn means_of_splines_are_not_stable() {
+        let mean = "1/3*(1+z+z^2)^2*(1-z+z^2)";
+        assert_eq!(exceptions_for(3, mean), None);
+        let mean = "1/5*(1+z+z^2+z^3+z^4)^2*(1-z+z^2-z^3+z^4)";
+        assert_eq!(exceptions_for(5, mean), None);
+    }
+
+    /// `c = t + (1-2t) z + t z²` for arity 3: `c(zω) = c(z/ω) = 0` makes `z² = 1`. At `t = 1` it is the mean of splines, at
+    /// `t = 1/3` the order rises.
+    #[test]
+    fn exceptions_of_a_ternary_family() {
+        let family = "1/3*(1+z+z^2)^2*(t+(1-2*t)*z+t*z^2)";
+        let expected = [rational(1, 3), rational(1, 1)].map(RealAlgebraic::from).to_vec();
+        assert_eq!(exceptions_for(3, family), Some(expected));
+    }
+
+    /// Stability of single binary schemes, also where common zeros of the submasks do no harm: those of `w² + w + 1`.
+    #[test]
+    fn stable_is_what_is_stable() {
+        let stable = |arity, text: &str| {
+            let scheme = Scheme::resolve(text, arity).unwrap();
+            is_stable(&Line::new(text, scheme.mask()).unwrap())
+        };
+        for text in ["dd4", "bspline3", "dd8"] {
+            assert_eq!(stable(2, text), Some(true), "{text}");
+        }
+        for text in ["1/3*(1+z)*(1+z^2+z^4)", "[1/2, 1/2, 1/2, 1/2]", "z^-1*(1+z)*(1-z+z^2)"] {
+            assert_eq!(stable(2, text), Some(false), "{text}");
+        }
+        // w² + 3w + 1 has no zero on the circle.
+        assert_eq!(stable(2, "1/5*(1+z)*(1+3*z^2+z^4)"), Some(true));
+        assert_eq!(stable(3, "1/3*(1+z+z^2)^2"), Some(true));
+        assert_eq!(stable(3, "1/3*(1+z+z^2)^2*(1-z+z^2)"), None);
     }
 
     #[test]

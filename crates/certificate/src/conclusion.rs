@@ -9,7 +9,7 @@ use crate::model::{Conclusion, End, Interval, Pencil};
 use crate::number::Number;
 use crate::order::less;
 use crate::real::Real;
-use crate::regularity::binary_logarithm;
+use crate::regularity::logarithm;
 use crate::verify::Proved;
 use crate::work::{Check, Work, ensure, fail};
 
@@ -214,8 +214,8 @@ fn check_regularity(
     ensure(stable, "the shifts are not shown to be stable")?;
     ensure(!scheme.is_divisible(scheme.order + 1), "the symbol is divisible more often")?;
     let order = Rational::from(integer(scheme.order as i64 - 1));
-    let below = binary_logarithm(&from, work)?.0 + &order;
-    let above = binary_logarithm(&to, work)?.1 + &order;
+    let below = logarithm(&from, scheme.arity, work)?.0 + &order;
+    let above = logarithm(&to, scheme.arity, work)?.1 + &order;
     ensure(!less(&below, &lower.0), "the lower bound of the regularity does not follow")?;
     ensure(!less(&upper.0, &above), "the upper bound of the regularity does not follow")
 }

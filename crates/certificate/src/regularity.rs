@@ -1,4 +1,4 @@
-//! Binary logarithms, enclosed by repeated squaring with outward rounding.
+//! Logarithms, enclosed by repeated squaring with outward rounding.
 
 use refinable_algebra::{Integer, Rational, Ring, bit_length, integer};
 
@@ -11,9 +11,39 @@ const PLACES: u32 = 96;
 /// The binary places of the intermediate numbers: each squaring doubles the relative error.
 const WORKING: u32 = 256;
 
+/// Rational numbers below and above `log_base x` for positive `x`, at a distance of at most about
+/// `2^-95` times the larger of 1 and the logarithm; equal if `x` is a power of the base with an integer exponent.
+pub(crate) fn logarithm(x: &Real, base: usize, work: &mut Work) -> Check<(Rational, Rational)> {
+    let base = integer(base as i64);
+    if let Some(exponent) = x.as_rational().and_then(|x| exponent_of(x, &base)) {
+        return Ok((exponent.clone(), exponent));
+    }
+    let (lower, upper) = binary_logarithm(x, work)?;
+    let (small, large) = binary_logarithm(&Real::Rational(Rational::from(base)), work)?;
+    let below = if *lower.numer() < Integer::zero() { &small } else { &large };
+    let above = if *upper.numer() < Integer::zero() { &large } else { &small };
+    Ok((lower / below, upper / above))
+}
+
+/// `e` if the number is the power of the base with this integer exponent.
+fn exponent_of(x: &Rational, base: &Integer) -> Option<Rational> {
+    let one = integer(1);
+    let (mut rest, sign) =
+        if *x.denom() == one { (x.numer().clone(), 1) } else { (x.denom().clone(), -1) };
+    if sign < 0 && *x.numer() != one {
+        return None;
+    }
+    let mut exponent = 0;
+    while rest > one && (&rest % base).is_zero() {
+        rest /= base;
+        exponent += sign;
+    }
+    (rest == one).then(|| Rational::from(integer(exponent)))
+}
+
 /// Rational numbers below and above `log2 x` for positive `x`, at a distance of at most about
 /// `2^-95`; equal if `x` is a rational power of two with an integer exponent.
-pub(crate) fn binary_logarithm(x: &Real, work: &mut Work) -> Check<(Rational, Rational)> {
+fn binary_logarithm(x: &Real, work: &mut Work) -> Check<(Rational, Rational)> {
     let positive = x.compare(&Real::Rational(Rational::from(integer(0))), work)?.is_gt();
     ensure(positive, "a logarithm of a number that is not positive")?;
     let mut bits = WORKING;
@@ -90,6 +120,29 @@ mod tests {
         assert_eq!(enclose(8, 1), (rational(3, 1), rational(3, 1)));
         assert_eq!(enclose(1, 32), (rational(-5, 1), rational(-5, 1)));
         assert_eq!(enclose(1, 1), (rational(0, 1), rational(0, 1)));
+    }
+
+    /// `log_3 2 = 0.630929753571457…` and `log_3 1/2`, whose bounds are divided by the other bound of `log2 3`;
+    /// powers of three exactly, also those of which the denominator is no power.
+    #[test]
+    fn logarithms_to_other_bases() {
+        let enclose = |p, q, base| {
+            logarithm(&Real::Rational(rational(p, q)), base, &mut Work::new()).unwrap()
+        };
+        let known = |n: i64| rational(630_929_753_571_457 + n, 1_000_000_000_000_000);
+        let near = rational(1, 1 << 62) * rational(1, 1 << 30);
+        let (lower, upper) = enclose(2, 1, 3);
+        assert!(known(0) < lower && lower < upper && upper < known(1) && &upper - &lower < near);
+        let (lower, upper) = enclose(1, 2, 3);
+        assert!(-known(1) < lower && lower < upper && upper < -known(0) && &upper - &lower < near);
+        for (p, q, base, exponent) in [(27, 1, 3, 3), (1, 9, 3, -2), (1, 36, 6, -2), (1, 1, 5, 0)] {
+            assert_eq!(enclose(p, q, base), (rational(exponent, 1), rational(exponent, 1)));
+        }
+        // No powers: 18, 2/9 and 1/18 have other factors.
+        for (p, q) in [(18, 1), (2, 9), (1, 18)] {
+            let (lower, upper) = enclose(p, q, 3);
+            assert!(lower < upper && upper - lower < near, "{p}/{q}");
+        }
     }
 
     #[test]

@@ -1,7 +1,8 @@
 //! The lemma `stable`: the integer shifts of the basic limit function are stable (Jia and Wang
-//! 1993), or those of another one with the same smoothness and the same joint spectral radius.
+//! 1993), or, for arity two, those of another one with the same smoothness and the same joint spectral
+//! radius.
 
-use refinable_algebra::{Integer, Polynomial, Rational, Ring};
+use refinable_algebra::{Integer, Polynomial, Rational, Ring, integer};
 
 use crate::circle::{Pair, have_no_common_zero};
 use crate::cyclotomic::{cyclotomic, even_orders, odd_orders};
@@ -14,9 +15,38 @@ use crate::work::{Check, Work, ensure, fail, largest_bits};
 /// Checks that the criterion of contraction is sharp for every parameter value that is not among the
 /// exceptions.
 pub(crate) fn check(scheme: &Scheme, exceptions: &[Real], work: &mut Work) -> Check<()> {
-    ensure(scheme.arity == 2, "stability is checked for arity two only")?;
+    if scheme.arity > 2 {
+        return check_contrasts(scheme, exceptions, work);
+    }
     check_opposite(&scheme.difference, exceptions, work)?;
     check_cycles(scheme, exceptions, work)
+}
+
+/// Checks for arity three or more that no point of the unit circle is a zero of all contrasts.
+fn check_contrasts(scheme: &Scheme, exceptions: &[Real], work: &mut Work) -> Check<()> {
+    let reason = "all but one of the points with the same power may be zeros of the symbol";
+    let c = &scheme.difference;
+    let contrasts: Vec<Pair> =
+        (0..scheme.arity - 1).map(|j| contrast(c, scheme.arity, j)).collect();
+    if c.is_constant() {
+        let anywhere = Real::Rational(Rational::from(integer(0)));
+        return ensure(have_no_common_zero(&contrasts, &anywhere, work)?, reason);
+    }
+    let mut affine =
+        contrasts.iter().cloned().map(without_zeros).filter(|part| !part[0].is_empty());
+    let (Some(first), Some(second)) = (affine.next(), affine.next()) else {
+        return fail("could not be checked: all submasks but one vanish");
+    };
+    let (long, short) =
+        if first[0].len() < second[0].len() { (second, first) } else { (first, second) };
+    let resultant = resultant(&coefficients(&long), &coefficients(&short), work)?;
+    ensure(!resultant.is_zero(), "could not be checked: two contrasts have a common factor")?;
+    for root in real_roots(&resultant, work)? {
+        let settled =
+            is_among(&root, exceptions, work)? || have_no_common_zero(&contrasts, &root, work)?;
+        ensure(settled, reason)?;
+    }
+    Ok(())
 }
 
 /// Checks that the submasks of `c` have no common zero at a root of unity of even order.
@@ -81,7 +111,7 @@ fn check_even_order(
 /// identically.
 fn without_zeros([p, q]: Pair) -> Pair {
     let zero = |i: &usize| p[*i].is_zero() && q[*i].is_zero();
-    let first = (0..p.len()).find(|i| !zero(i)).unwrap_or(0);
+    let first = (0..p.len()).find(|i| !zero(i)).unwrap_or(p.len());
     let last = (first..p.len()).rev().find(|i| !zero(i)).map_or(first, |i| i + 1);
     [p[first..last].to_vec(), q[first..last].to_vec()]
 }
@@ -103,7 +133,8 @@ fn coefficients([p, q]: &Pair) -> Coefficients {
 /// Checks that no orbit of a root of unity `ζ` of odd order `r ≥ 3` under squaring consists of zeros
 /// of `a(-z)`, or, the same, of `c(-z)`.
 fn check_cycles(scheme: &Scheme, exceptions: &[Real], work: &mut Work) -> Check<()> {
-    let symbol = alternating(&scheme.difference);
+    // c(-z)
+    let symbol = contrast(&scheme.difference, 2, 0);
     check_rational_cycles(&symbol, exceptions, work)?;
     if scheme.difference.is_constant() {
         return Ok(());
@@ -190,11 +221,18 @@ pub(crate) fn common_zero(p: &[Integer], q: &[Integer]) -> CommonZero {
     if all { CommonZero::One(Rational::new(-p0, q0.clone())) } else { CommonZero::None }
 }
 
-/// `c(-z)`.
-fn alternating(c: &AffineSymbol) -> Pair {
+/// The sign of the coefficient `c_i` in the contrast `c_j(z^m) z^j - c_{j+1}(z^m) z^(j+1)` of two
+/// submasks, `c(z) = Σ c_j(z^m) z^j`. For arity two it is `c(-z)`.
+///
+/// All contrasts vanish at `z` if and only if `c(zω) = 0` for all `ω ≠ 1` with `ω^m = 1`.
+pub(crate) fn sign_in_contrast(i: usize, arity: usize, j: usize) -> i64 {
+    i64::from(i % arity == j) - i64::from(i % arity == j + 1)
+}
+
+fn contrast(c: &AffineSymbol, arity: usize, j: usize) -> Pair {
     [&c.p, &c.q].map(|part| {
         let signed = part.iter().enumerate();
-        signed.map(|(i, c)| if i % 2 == 1 { -c } else { c.clone() }).collect()
+        signed.map(|(i, c)| c * integer(sign_in_contrast(i, arity, j))).collect()
     })
 }
 
@@ -220,7 +258,7 @@ mod tests {
     use crate::model::{Certificate, End, Root};
     use crate::number::Number;
     use crate::work::Reason;
-    use refinable_algebra::{integer, parse_rational};
+    use refinable_algebra::parse_rational;
 
     fn scheme(mask: &serde_json::Value) -> Scheme {
         let text = serde_json::json!({

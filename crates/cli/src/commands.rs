@@ -326,7 +326,11 @@ fn certify(scheme: &Scheme, continuity: Option<u16>) -> Result<Certificate, Fail
         let found = regularity(scheme.name(), scheme.mask(), &Options::default())?;
         return found.certificate.ok_or_else(|| {
             let hint = "without stable shifts only a lower bound holds; try -n N";
-            Failure::new("stability", "the shifts of the basic limit function are not stable", hint)
+            Failure::new(
+                "stability",
+                "the shifts of the basic limit function are not shown to be stable",
+                hint,
+            )
         });
     };
     let (continuity, sharpness) = (usize::from(continuity), Sharpness::default());

@@ -2,7 +2,8 @@
 
 use refinable_algebra::{Integer, Rational, Ring, bit_length, integer};
 
-/// Bounds `(lower, upper)` for `log_base(x)`, `x > 0`, about `2^-bits` apart.
+/// Bounds `(lower, upper)` for `log_base(x)`, `x > 0`, about `2^-bits` apart; equal if `x` is a power of the base
+/// with an integer exponent.
 ///
 /// # Panics
 /// If `x` is not positive or `base < 2`.
@@ -14,6 +15,9 @@ use refinable_algebra::{Integer, Rational, Ring, bit_length, integer};
 /// The binary digits of `log₂ x`, `1 ≤ x < 2`, are read off by squaring: the digit is 1 if `x² ≥ 2`.
 pub fn logarithm(x: &Rational, base: usize, bits: u32) -> (Rational, Rational) {
     assert!(*x > Rational::zero() && base >= 2, "logarithms of positive numbers");
+    if let Some(exponent) = exponent_of(x, &integer(base as i64)) {
+        return (exponent.clone(), exponent);
+    }
     let (lower, upper) = binary(x, bits + 8);
     if base == 2 {
         return (lower, upper);
@@ -24,6 +28,19 @@ pub fn logarithm(x: &Rational, base: usize, bits: u32) -> (Rational, Rational) {
         if *x < Rational::zero() { x / small } else { x / large }
     };
     (quotient(&lower, &below, &above), quotient(&upper, &above, &below))
+}
+
+/// `e` with `x = base^e`, if there is such an integer.
+fn exponent_of(x: &Rational, base: &Integer) -> Option<Rational> {
+    let one = integer(1);
+    let (rest, sign) = match (x.numer(), x.denom()) {
+        (numerator, denominator) if *denominator == one => (numerator, 1),
+        (numerator, denominator) if *numerator == one => (denominator, -1),
+        _ => return None,
+    };
+    let powers = std::iter::successors(Some(one), |power| Some(power * base));
+    let (exponent, power) = powers.enumerate().find(|(_, power)| power >= rest)?;
+    (power == *rest).then(|| Rational::from_i64(sign * exponent as i64))
 }
 
 fn binary(x: &Rational, bits: u32) -> (Rational, Rational) {
@@ -80,7 +97,13 @@ mod tests {
         assert_eq!(decimal(&upper, 12), "0.169925001442");
         let (lower, upper) = logarithm(&rational(1, 8), 2, 40);
         assert_eq!((lower, upper), (rational(-3, 1), rational(-3, 1)));
-        let (lower, upper) = logarithm(&rational(1, 27), 3, 50);
-        assert!(lower <= rational(-3, 1) && rational(-3, 1) <= upper);
+        for (x, base, exponent) in [(rational(1, 27), 3, -3), (rational(100, 1), 10, 2)] {
+            let exactly = rational(exponent, 1);
+            assert_eq!(logarithm(&x, base, 50), (exactly.clone(), exactly));
+        }
+        for x in [rational(2, 9), rational(6, 1), rational(1, 6)] {
+            let (lower, upper) = logarithm(&x, 3, 50);
+            assert!(lower < upper && upper - lower < rational(1, 1 << 40), "{x}");
+        }
     }
 }

@@ -8,6 +8,7 @@ use serde_json::{Map, Value, json};
 use crate::compare::{Smoothness, in_hulls, scheme_norm};
 use crate::degrees::{condition, solutions};
 use crate::grid::{Cell, Document, Grid};
+use crate::regularity::yes_or_no;
 use crate::shape::Shape;
 use crate::show::{pole, words};
 
@@ -60,9 +61,11 @@ pub fn analyze(scheme: &Scheme) -> Document {
     );
     page.line(
         "stable shifts",
-        match smoothness.stable {
-            Some(true) => "yes".into(),
-            Some(false) => "no".into(),
+        match yes_or_no(smoothness.stable) {
+            Some(word) => word.into(),
+            None if smoothness.continuity.is_some() && mask.parameters().is_empty() => {
+                "not known".into()
+            }
             None => String::new(),
         },
     );

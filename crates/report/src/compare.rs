@@ -11,7 +11,7 @@ use serde_json::{Value, json};
 
 use crate::audit::short;
 use crate::grid::{Cell, Document, Grid};
-use crate::regularity::exact_text;
+use crate::regularity::{exact_text, yes_or_no};
 use crate::shape::Shape;
 use crate::sharp::sharp_range;
 use crate::show::words;
@@ -66,7 +66,7 @@ impl Smoothness {
     fn of_single(scheme: &Scheme) -> Result<Self, Diagnostic> {
         let found = regularity(scheme.name(), scheme.mask(), &Options::default())?;
         let holder = found.continuity.map(|_| exponent(&found, scheme.mask().arity()));
-        let (continuity, stable) = (found.continuity, Some(found.stable));
+        let (continuity, stable) = (found.continuity, found.stable);
         Ok(Smoothness { continuity, holder, stable, ..Smoothness::default() })
     }
 
@@ -240,11 +240,7 @@ impl Row {
 
     /// A cell for each column of [`HEADER`].
     pub fn cells(&self) -> Vec<Cell> {
-        let yes = |value: Option<bool>| match value {
-            Some(true) => "yes".to_string(),
-            Some(false) => "no".to_string(),
-            None => String::new(),
-        };
+        let yes = |value| yes_or_no(value).unwrap_or_default().to_string();
         let s = &self.smoothness;
         let shape = |text: fn(&Shape) -> String| self.shape.as_ref().map(text).unwrap_or_default();
         let texts = [

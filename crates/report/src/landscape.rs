@@ -12,7 +12,7 @@ use crate::frame::{Frame, HEIGHT, LEFT, TOP, WIDTH};
 use crate::grid::{Cell, Document, Grid};
 use crate::map::{coordinates, parse_window};
 use crate::number::rational_number;
-use crate::regularity::{exact_text, outward};
+use crate::regularity::{bounds_text, exact_text, outward};
 use crate::svg::{SHADES, halo, place};
 
 /// Nodes of the grid in each direction.
@@ -55,9 +55,9 @@ impl HolderMap {
             let [a, b] = &summit.parameters;
             let exact = exact_text(&summit.regularity, self.arity);
             let exponent = match exact.filter(|text| text.chars().count() <= LONGEST) {
-                Some(whole) if lower == upper => whole,
+                Some(whole) if Some(&lower) == upper.as_ref() => whole,
                 Some(text) => format!("{text} ≈ {}", decimal(&lower, 8)),
-                None => format!("[{}, {}]", decimal(&lower, 10), decimal(&upper, 10)),
+                None => bounds_text(&lower, upper.as_ref(), 10),
             };
             let cells = [locus_text(&summit.locus), a.to_string(), b.to_string(), exponent];
             cells.into_iter().map(Cell::text).collect()
@@ -91,7 +91,7 @@ impl HolderMap {
                 "parameters": {u.name(): a, v.name(): b},
                 "holder": {
                     "exact": exact_text(&summit.regularity, self.arity),
-                    "lower": lower.to_string(), "upper": upper.to_string(),
+                    "lower": lower.to_string(), "upper": upper.map(|upper| upper.to_string()),
                     "approx": place(&lower),
                 },
                 "continuity": summit.regularity.continuity,
@@ -142,7 +142,7 @@ impl HolderMap {
     fn legend(&self, svg: &mut String) {
         let summits = self.landscape.summits.iter().enumerate().map(|(k, summit)| {
             let (lower, upper) = outward(&summit.regularity);
-            let dots = if lower == upper { "" } else { "…" };
+            let dots = if Some(&lower) == upper.as_ref() { "" } else { "…" };
             let value = decimal(&lower, 4);
             format!("{}: {value}{dots}{}", letter(k), where_text(&summit.locus))
         });

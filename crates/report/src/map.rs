@@ -6,7 +6,7 @@ use refinable_algebra::{
 };
 use refinable_analysis::{Area, Fineness, Map, Plane, Window, default_window, map, region_of};
 use refinable_certificate::{CellVerdict, Conclusion, Inequality, Node, Polygon, Terms};
-use refinable_scheme::{Diagnostic, Scheme, Substitution};
+use refinable_scheme::{Diagnostic, Scheme, Substitution, geometric_factor};
 use serde_json::{Value, json};
 
 use crate::grid::{Cell, Document, Grid};
@@ -109,9 +109,13 @@ impl Maps {
                 let [x, y] = section.origin.each_ref().map(|c| &c.0);
                 let [dx, dy] = section.direction.each_ref().map(|c| &c.0);
                 let verdict = statement(&section.certificate);
-                format!(
-                    "C^{n} may hold on the line (x, y) = ({x}, {y}) + t ({dx}, {dy}) only: {verdict}"
-                )
+                if dx.is_zero() && dy.is_zero() {
+                    format!("C^{n} may hold for the mask at (x, y) = ({x}, {y}) only: {verdict}")
+                } else {
+                    format!(
+                        "C^{n} may hold on the line (x, y) = ({x}, {y}) + t ({dx}, {dy}) only: {verdict}"
+                    )
+                }
             }));
             if let Some(polygon) = map.plane.level_one(n) {
                 let corners = corner_texts(&polygon);
@@ -125,7 +129,10 @@ impl Maps {
             if needs_stability(map) {
                 let also = match n < map.plane.order() {
                     true => String::new(),
-                    false => format!("(1 + z)^{} does not divide the symbol and ", n + 1),
+                    false => {
+                        let factor = geometric_factor(map.plane.arity());
+                        format!("({factor})^{} does not divide the symbol and ", n + 1)
+                    }
                 };
                 remarks.push(format!(
                     "what is refuted for C^{n} is refuted wherever {also}the shifts of the basic limit \

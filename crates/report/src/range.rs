@@ -1,9 +1,9 @@
 //! `range`: where C^n is proved over one parameter.
 
-use refinable_algebra::{Parameter, parse_rational};
+use refinable_algebra::{Parameter, ParameterFraction, ParameterPolynomial, parse_rational};
 use refinable_analysis::{Budget, NormRange, norm_range};
 use refinable_reals::{Bound, ExactForm, Interval, RealAlgebraic, Region};
-use refinable_scheme::{Diagnostic, Scheme};
+use refinable_scheme::{Diagnostic, Scheme, Substitution, geometric_factor};
 use serde_json::{Value, json};
 
 use crate::audit::short;
@@ -47,7 +47,7 @@ pub fn range_table(
         caption: format!("C^{continuity} of {}, norms up to level {level}", scheme.name()),
         header,
         rows,
-        remarks: remarks(&range),
+        remarks: remarks(&range, scheme.mask().arity()),
     };
     let points = points(&range, &unproved, variable);
     let json = json!({
@@ -81,7 +81,13 @@ pub fn only_parameter(scheme: &Scheme) -> Result<Parameter, Diagnostic> {
             let names: Vec<&str> = free.iter().map(Parameter::name).collect();
             let names = names.join(", ");
             let message = format!("{} has several free parameters: {names}, {last}", scheme.name());
-            let hint = format!("set all but one, for example --set '{last}=0'");
+            // A value that is no pole of all members.
+            let regular = (0..8).find(|value| {
+                let value = ParameterFraction::from(ParameterPolynomial::from_i64(*value));
+                scheme.with(&[Substitution::new(last.clone(), value)]).is_ok()
+            });
+            let value = regular.map_or_else(|| "VALUE".into(), |value| value.to_string());
+            let hint = format!("set all but one, for example --set '{last}={value}'");
             Err(Diagnostic::new("parameters", message).with_hint(hint))
         }
     }
@@ -149,7 +155,7 @@ pub fn decimals(interval: &Interval) -> String {
     }
 }
 
-fn remarks(range: &NormRange) -> Vec<String> {
+fn remarks(range: &NormRange, arity: usize) -> Vec<String> {
     let mut remarks = Vec::new();
     if let Some(points) = &range.divisible_at {
         let variable = range.parameter.name();
@@ -157,12 +163,12 @@ fn remarks(range: &NormRange) -> Vec<String> {
             format!("{variable} = {}{}", x.exact_form().display(variable), approximation(x))
         };
         let listed: Vec<String> = points.iter().map(list).collect();
-        let order = range.continuity + 1;
+        let (order, factor) = (range.continuity + 1, geometric_factor(arity));
         remarks.push(if listed.is_empty() {
-            format!("the symbol is divisible by (1 + z)^{order} for no value")
+            format!("the symbol is divisible by ({factor})^{order} for no value")
         } else {
             format!(
-                "the symbol is divisible by (1 + z)^{order} only at isolated values: {}",
+                "the symbol is divisible by ({factor})^{order} only at isolated values: {}",
                 listed.join(", ")
             )
         });

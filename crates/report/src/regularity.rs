@@ -2,7 +2,7 @@
 
 use refinable_algebra::{Rational, Ring, decimal};
 use refinable_analysis::Regularity;
-use refinable_scheme::Scheme;
+use refinable_scheme::{Scheme, geometric_factor};
 use serde_json::{Value, json};
 
 use crate::grid::{Cell, Document, Grid};
@@ -15,16 +15,17 @@ pub fn regularity_table(scheme: &Scheme, found: &Regularity) -> Document {
     let (lower, upper) = outward(found);
     let value = match &exact {
         Some(text) => text.clone(),
-        None => format!("[{}, {}]", decimal(&lower, 12), decimal(&upper, 12)),
+        None => bounds_text(&lower, upper.as_ref(), 12),
     };
     let continuity = found.continuity.map_or("not proved to converge".into(), |n| format!("C^{n}"));
+    let divided = format!("factors {} divided out", geometric_factor(arity));
     let rows = [
         ("Hölder exponent", value),
         ("decimals", format!("≈ {}", decimal(&lower, 10))),
         ("implies", continuity.clone()),
         ("leading word", found.word.clone()),
-        ("factors 1 + z divided out", found.divided_order.to_string()),
-        ("stable shifts", if found.stable { "yes".into() } else { "no".to_string() }),
+        (&divided, found.divided_order.to_string()),
+        ("stable shifts", yes_or_no(found.stable).unwrap_or("not known").into()),
     ];
     let mut remarks = Vec::new();
     if let Some(factor) = &found.factor {
@@ -33,8 +34,14 @@ pub fn regularity_table(scheme: &Scheme, found: &Regularity) -> Document {
              function is as smooth",
             factor.display("z")
         ));
-    } else if !found.stable {
-        remarks.push("without stable shifts the exponent is a lower bound only".into());
+    } else if found.upper.is_none() {
+        remarks.push(
+            match found.stable {
+                Some(_) => "without stable shifts the exponent is a lower bound only",
+                None => "the exponent is a lower bound only, unless the shifts are stable",
+            }
+            .into(),
+        );
     }
     if let Some(certificate) = &found.certificate {
         remarks.push(format!("proof checked: {}", proof_text(certificate)));
@@ -49,7 +56,7 @@ pub fn regularity_table(scheme: &Scheme, found: &Regularity) -> Document {
     };
     let mut holder = json!({
         "lower": lower.to_string(),
-        "upper": upper.to_string(),
+        "upper": upper.map(|upper| upper.to_string()),
         "approx": decimal(&lower, 15).parse::<f64>().map_or(Value::Null, Value::from),
     });
     if let Some(text) = &exact {
@@ -68,9 +75,23 @@ pub fn regularity_table(scheme: &Scheme, found: &Regularity) -> Document {
 }
 
 /// Both bounds rounded outward to 15 decimals, but equal integers as they are.
-pub fn outward(found: &Regularity) -> (Rational, Rational) {
+pub fn outward(found: &Regularity) -> (Rational, Option<Rational>) {
     let scale = Rational::from_i64(1_000_000_000_000_000);
-    ((&found.lower * &scale).floor() / &scale, (&found.upper * &scale).ceil() / &scale)
+    let upper = found.upper.as_ref().map(|upper| (upper * &scale).ceil() / &scale);
+    ((&found.lower * &scale).floor() / &scale, upper)
+}
+
+/// `[2.83, 2.84]`, or `≥ 2.83` if there is no upper bound.
+pub(crate) fn bounds_text(lower: &Rational, upper: Option<&Rational>, digits: u32) -> String {
+    match upper {
+        Some(upper) => format!("[{}, {}]", decimal(lower, digits), decimal(upper, digits)),
+        None => format!("≥ {}", decimal(lower, digits)),
+    }
+}
+
+/// The word for what is known, if it is.
+pub(crate) fn yes_or_no(known: Option<bool>) -> Option<&'static str> {
+    known.map(|yes| if yes { "yes" } else { "no" })
 }
 
 /// `3 - log2(9/8)`: the largest power of the arity taken out of the radius.

@@ -169,7 +169,7 @@ impl Scan {
             _ => match regularity(self.scheme.name(), &mask, &Options::default()) {
                 Ok(found) => {
                     let (lower, upper) = outward(&found);
-                    vec![lower.to_string(), upper.to_string()]
+                    vec![lower.to_string(), upper.map_or(String::new(), |upper| upper.to_string())]
                 }
                 Err(_) => vec![String::new(), String::new()],
             },

@@ -6,7 +6,7 @@ use refinable_analysis::{
 };
 use refinable_certificate::{Certificate, Conclusion, Lemma};
 use refinable_reals::Region;
-use refinable_scheme::{Diagnostic, Scheme};
+use refinable_scheme::{Diagnostic, Scheme, geometric_factor};
 use serde_json::{Value, json};
 
 use crate::audit::short;
@@ -123,7 +123,8 @@ fn remarks(range: &ContinuityRange) -> Vec<String> {
     let indivisible =
         range.certificate.lemmas.iter().any(|lemma| matches!(lemma, Lemma::Indivisible { .. }));
     if indivisible {
-        remarks.push(format!("refuted where (1 + z)^{order} does not divide the symbol"));
+        let factor = geometric_factor(range.certificate.family.arity);
+        remarks.push(format!("refuted where ({factor})^{order} does not divide the symbol"));
     }
     let words = words(&range.certificate);
     if !words.is_empty() {
@@ -143,7 +144,7 @@ pub(crate) fn undecided_because(range: &ContinuityRange) -> Vec<String> {
     if range.points.iter().any(|(_, verdict)| *verdict == PointVerdict::Unstable) {
         reasons.push(
             "undecided values: the difference scheme is not contractive, but the shifts of the basic \
-             limit function are not stable there",
+             limit function may not be stable there",
         );
     }
     let has = |kind: fn(&Lemma) -> bool| range.certificate.lemmas.iter().any(kind);

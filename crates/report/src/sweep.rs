@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 
 use crate::grid::{Cell, Document, Grid};
 use crate::range::only_parameter;
-use crate::regularity::outward;
+use crate::regularity::{outward, yes_or_no};
 use crate::span::{named, parse_ascending_span};
 use crate::svg::{escape, place};
 
@@ -71,8 +71,9 @@ impl Sweep {
             Some(found) => {
                 let (lower, upper) = outward(found);
                 let continuity = found.continuity.map_or(String::new(), |n| n.to_string());
-                let stable = if found.stable { "yes" } else { "no" };
-                [x.to_string(), lower.to_string(), upper.to_string(), decimal(&lower, 10)]
+                let upper = upper.map_or(String::new(), |upper| upper.to_string());
+                let stable = yes_or_no(found.stable).unwrap_or_default();
+                [x.to_string(), lower.to_string(), upper, decimal(&lower, 10)]
                     .into_iter()
                     .chain([continuity, found.word.clone(), stable.into()])
                     .map(Cell::text)
@@ -100,7 +101,8 @@ impl Sweep {
         let point = |x: &Rational, found: &Regularity| {
             let (lower, upper) = outward(found);
             json!({
-                "at": x.to_string(), "lower": lower.to_string(), "upper": upper.to_string(),
+                "at": x.to_string(), "lower": lower.to_string(),
+                "upper": upper.map(|upper| upper.to_string()),
                 "continuity": found.continuity, "word": found.word, "stable": found.stable,
             })
         };

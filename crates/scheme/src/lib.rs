@@ -61,7 +61,7 @@ pub use file::{Expectation, ExpectedRange, SchemeFile};
 pub use identity::{Identity, identities};
 pub use mask::Mask;
 pub use narration::Equation;
-pub use normalised::Normalised;
+pub use normalised::{Normalised, geometric_factor};
 pub use rule::{Rule, Stencil};
 pub use scheme::Scheme;
 pub use substitution::Substitution;

@@ -9,6 +9,15 @@ use refinable_algebra::{Parameter, ParameterFraction, ParameterPolynomial, Ratio
 use crate::diagnostic::{Diagnostic, shortened};
 use crate::mask::{Mask, primitive_conditions};
 
+/// `σ(z)` as text: `1 + z`, `1 + z + z^2`, `1 + z + ... + z^3`.
+pub fn geometric_factor(arity: usize) -> String {
+    match arity {
+        2 => "1 + z".into(),
+        3 => "1 + z + z^2".into(),
+        _ => format!("1 + z + ... + z^{}", arity - 1),
+    }
+}
+
 /// How many stencils an error lists.
 const LISTED: usize = 6;
 

@@ -56,6 +56,22 @@ fn wedges_on_both_sides_of_a_pole() {
     }
 }
 
+/// Arity 3: C^0 for `-1/3 < a/b < 2/3` and C^1 for `0 < a/b < 1/3`, on the square the triangles above these slopes.
+#[test]
+fn wedges_of_a_ternary_family() {
+    let text = "[a/b, 1/3, 2/3, 1-2*a/b, 2/3, 1/3, a/b]";
+    let family = Scheme::resolve(text, 3).unwrap();
+    let window = [[(-1, 1), (1, 1)], [(0, 1), (1, 1)]].map(|w| w.map(|(p, q)| rational(p, q)));
+    for (n, exact) in [(0, rational(1, 2)), (1, rational(1, 6))] {
+        let map = map(text, family.mask(), n, &window, &Fineness::default()).unwrap();
+        let [proved, refuted, _] = map.areas();
+        let rest = rational(2, 1) - &exact;
+        for (area, exact) in [(proved, exact), (refuted, rest)] {
+            assert!(area.lower <= exact && area.lower > exact * rational(97, 100), "C^{n}");
+        }
+    }
+}
+
 /// Denominators of higher degree, with and without zeros in the box, and asymmetric masks.
 #[test]
 fn masks_with_denominators_agree_with_single_values() {

@@ -10,6 +10,7 @@ use crate::map::form::{Form, Places, cleared, degree, multisets};
 use crate::map::model::{Chart, PlaneFamily, Terms};
 use crate::map::polygon::{Corner, Polygon};
 use crate::number::Number;
+use crate::stability::sign_in_contrast;
 use crate::work::{Check, Work, ensure, fail, largest_bits};
 
 /// A family, checked to be normalised and divisible.
@@ -170,23 +171,33 @@ impl PlaneScheme {
         self.symbol.iter().map(|form| value_at(form, point) / &denominator).collect()
     }
 
-    /// The submasks of the difference symbol, and `c(-z)`, at a point, without the coefficients that
+    /// The two submasks of the difference symbol at a point for arity two, without the coefficients that
     /// vanish identically at their ends; up to factors.
-    pub fn halves_and_alternating(&self, point: &[Rational; 2]) -> [Vec<Integer>; 3] {
-        let values: Vec<Rational> = self.difference.iter().map(|c| value_at(c, point)).collect();
-        let (_, values) = clear_denominators(values.iter());
-        let trimmed = |indices: Vec<usize>, alternating: bool| {
-            let occurs = |i: &usize| !self.difference[*i].is_zero();
-            let first = indices.iter().position(occurs).unwrap_or(0);
-            let last = indices.iter().rposition(occurs).map_or(first, |i| i + 1);
-            let signed = |i: &usize| {
-                if alternating && i % 2 == 1 { -&values[*i] } else { values[*i].clone() }
-            };
-            indices[first..last].iter().map(signed).collect()
-        };
-        let all = 0..self.difference.len();
-        let half = |k: usize| all.clone().skip(k).step_by(2).collect();
-        [trimmed(half(0), false), trimmed(half(1), false), trimmed(all.clone().collect(), true)]
+    pub fn halves(&self, point: &[Rational; 2]) -> [Vec<Integer>; 2] {
+        [0, 1].map(|first| self.trimmed((first..self.difference.len()).step_by(2), |_| 1, point))
+    }
+
+    /// A contrast of two neighbouring submasks likewise.
+    pub fn contrast(&self, j: usize, point: &[Rational; 2]) -> Vec<Integer> {
+        let sign = |i| sign_in_contrast(i, self.arity, j);
+        self.trimmed(0..self.difference.len(), sign, point)
+    }
+
+    /// The coefficients of the difference symbol at some places with signs, those at the ends left out that
+    /// vanish identically.
+    fn trimmed(
+        &self,
+        places: impl Iterator<Item = usize>,
+        sign: impl Fn(usize) -> i64,
+        point: &[Rational; 2],
+    ) -> Vec<Integer> {
+        let places: Vec<usize> = places.collect();
+        let occurs = |&i: &usize| sign(i) != 0 && !self.difference[i].is_zero();
+        let first = places.iter().position(occurs).unwrap_or(places.len());
+        let last = places.iter().rposition(occurs).map_or(first, |i| i + 1);
+        let value = |&i: &usize| value_at(&self.difference[i], point) * integer(sign(i));
+        let values: Vec<Rational> = places[first..last].iter().map(value).collect();
+        clear_denominators(values.iter()).1
     }
 }
 
@@ -280,7 +291,7 @@ pub(crate) fn parts(family: &PlaneFamily, window: &[[Number; 2]; 2]) -> Check<Ve
     }
 }
 
-/// Checks that the family of another certificate runs along a line of the plane.
+/// Checks that the family of another certificate runs along a line of the plane, or is the mask at a point.
 pub(crate) fn check_section(
     scheme: &PlaneScheme,
     other: (&Scheme, i64),
@@ -289,9 +300,10 @@ pub(crate) fn check_section(
     work: &mut Work,
 ) -> Check<()> {
     let (other, lowest) = other;
-    ensure(scheme.is_polynomial(), "a section of a family with a denominator")?;
     let point = direction.iter().all(Ring::is_zero);
+    ensure(point || scheme.is_polynomial(), "a line of masks with a denominator")?;
     ensure(point == other.constant, "a section does not move with its parameter")?;
+    ensure(!value_at(&scheme.denominator, origin).is_zero(), "a section at a pole")?;
     // Polynomials of degree at most n are the same if they are at n + 1 values of the parameter.
     for t in 0..=scheme.degree.max(1) {
         let t = Rational::from(integer(t as i64));

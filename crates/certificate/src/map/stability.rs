@@ -6,21 +6,22 @@ use crate::map::family::PlaneScheme;
 use crate::resultant::{of_squares, resultant};
 use crate::work::{Check, Work};
 
-/// Whether the shifts are stable at a point for a reason that holds almost everywhere: neither do the
-/// submasks of `c` have a common zero, nor is `z² ≠ 1` a zero of `c(-z)` together with `z`.
+/// Whether the shifts are stable at a point for a reason that holds almost everywhere: for arity two,
+/// neither do the submasks of `c` have a common zero, nor is `z² ≠ 1` a zero of `c(-z)` together with
+/// `z`; for others, two contrasts have no common zero.
 ///
-/// Both say that a resultant does not vanish, which is a polynomial in the coordinates.
+/// All say that a resultant does not vanish, which is a polynomial in the coordinates.
 pub(crate) fn is_generic(
     scheme: &PlaneScheme,
     point: &[Rational; 2],
     work: &mut Work,
 ) -> Check<bool> {
-    if scheme.arity != 2 {
-        return Ok(false);
+    let contrast = scheme.contrast(0, point);
+    if scheme.arity > 2 {
+        return are_coprime(&contrast, &scheme.contrast(1, point), work);
     }
-    let [even, odd, alternating] = scheme.halves_and_alternating(point);
-    Ok(are_coprime(&even, &odd, work)?
-        && are_coprime(&alternating, &squares(&alternating, work)?, work)?)
+    let [even, odd] = scheme.halves(point);
+    Ok(are_coprime(&even, &odd, work)? && are_coprime(&contrast, &squares(&contrast, work)?, work)?)
 }
 
 fn constants(coefficients: &[Integer]) -> Vec<Polynomial<Integer>> {

@@ -67,6 +67,26 @@ fn regularities_of_nothing() {
     }
 }
 
+/// `c = (2+z)/3` for arity 3 has the matrices 2/3, 1/3 and 0: `r = log_3 3/2 = 0.36907024642854…`
+#[test]
+fn logarithms_are_to_the_base_of_the_arity() {
+    let mut family = constant_family(&[2, 3, 3, 1], 3, 1);
+    family["arity"] = json!(3);
+    let polytope = json!({
+        "kind": "polytope", "pencil": "scale", "inner": "0", "end": "3/2", "open": true,
+        "complex": false, "mirrored": false, "bits": 0, "vertices": [[1]],
+        "leading": [{"word": "0", "sign": 1, "vertex": 0, "pivot": 0}],
+        "weight_bits": 1, "units": [[[0, 2]]],
+        "inner_images": [[[], [], []]], "end_images": [[null, [[0, 1]], []]],
+    });
+    let word = json!({"kind": "word", "pencil": "scale", "word": "0", "from": "3/2", "to": null});
+    let lemmas = json!([polytope, word, {"kind": "stable", "except": []}]);
+    let claim = |lower, upper| certificate(&family, &regularity("3/2", lower, upper), &lemmas);
+    accept(&claim("369070246/1000000000", "369070247/1000000000"));
+    refuse(&claim("369070247/1000000000", "1"), "the lower bound of the regularity");
+    refuse(&claim("0", "369070246/1000000000"), "the upper bound of the regularity");
+}
+
 #[test]
 fn deslauriers_and_dubuc() {
     // Four points: the regularity is exactly 2.

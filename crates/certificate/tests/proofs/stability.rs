@@ -99,11 +99,93 @@ fn opposite_zeros_matter_at_roots_of_unity_only() {
 #[test]
 fn what_is_not_decided() {
     let stable = json!([{"kind": "stable", "except": []}]);
-    let mut ternary = constant_family(&[1, 2, 3, 2, 1], 3, 2);
-    ternary["arity"] = json!(3);
-    let claim = certificate(&ternary, &nothing(0), &stable);
-    refuse(&claim, "stability is checked for arity two only");
     // c = (z+2)(z+4)(t + (1-t)z)/15: c(-z) vanishes at 2 and 4, whatever t is.
     let claim = certificate(&corner_cutting_times(&[8, 6, 1], 15), &nothing(0), &stable);
     refuse(&claim, "c(-z) and c(-z²) have a common factor");
+    // For arity 3: c = t + (1-t) z³, and c = (2+z³)(t + (1-t) z)/3.
+    let only = [["0", "1"], ["0", "1"], ["0", "1"], ["1", "-1"], ["1", "-1"], ["1", "-1"]];
+    refuse(&stable_but_at(&of_arity(3, family(&only, 1)), &json!([])), "all submasks but one");
+    let common = [
+        ["0", "2/3"],
+        ["2/3", "0"],
+        ["2/3", "0"],
+        ["2/3", "-1/3"],
+        ["1/3", "0"],
+        ["1/3", "0"],
+        ["1/3", "-1/3"],
+    ];
+    let claim = stable_but_at(&of_arity(3, family(&common, 1)), &json!([]));
+    refuse(&claim, "two contrasts have a common factor");
+}
+
+/// A family or scheme as one of higher arity.
+fn of_arity(arity: usize, mut family: Value) -> Value {
+    family["arity"] = json!(arity);
+    family
+}
+
+fn stable_but_at(family: &Value, except: &Value) -> Value {
+    certificate(family, &nothing(0), &json!([{"kind": "stable", "except": except}]))
+}
+
+/// Splines are stable. With `φ` that of `a`, the mean of `φ` and `φ(· - 1)` belongs to `a(z) (1+z^m)/(1+z)` for odd `m`; the
+/// alternating sum of its shifts is zero.
+#[test]
+fn schemes_of_higher_arity() {
+    let reason = "all but one of the points with the same power";
+    for arity in 3..=5 {
+        let sigma = vec![1; arity];
+        let mut power = vec![1];
+        for order in 1..=3_usize {
+            power = product(&power, &sigma);
+            let denominator = (arity as i64).pow(order as u32 - 1);
+            let spline = of_arity(arity, constant_family(&power, denominator, order));
+            accept(&stable_but_at(&spline, &json!([])));
+            let quotient: Vec<i64> = (0..arity).map(|k| if k % 2 == 0 { 1 } else { -1 }).collect();
+            if arity % 2 == 1 {
+                let mean = product(&power, &quotient);
+                let mean = of_arity(arity, constant_family(&mean, denominator, order));
+                refuse(&stable_but_at(&mean, &json!([])), reason);
+            }
+        }
+    }
+}
+
+/// `c = t + (1-2t) z + t z²`: at `t = 1` it vanishes at `-ω` and `-ω²`, `ω³ = 1`; at 1/3 at `ω` and `ω²`.
+#[test]
+fn rational_exceptions_of_a_ternary_family() {
+    let pairs = [
+        ["0", "1/3"],
+        ["1/3", "0"],
+        ["2/3", "0"],
+        ["1", "-2/3"],
+        ["2/3", "0"],
+        ["1/3", "0"],
+        ["0", "1/3"],
+    ];
+    let family = of_arity(3, family(&pairs, 2));
+    accept(&stable_but_at(&family, &json!(["1/3", "1"])));
+    accept(&stable_but_at(&family, &json!(["7", "1", "1/3"])));
+    for missing in [json!([]), json!(["1/3"]), json!(["1"]), json!(["-1", "1/3"])] {
+        refuse(&stable_but_at(&family, &missing), "all but one of the points");
+    }
+}
+
+/// The polynomial with the zeros `ζω`, `ζω²` and their conjugates, `ω³ = 1`, `ζ = e^(iθ)`, is
+/// `1 + u z + (u² - 1) z² + u z³ + z⁴` with `u = 2 cos θ`. For `u = √2 = t` and over its value at 1, `(1 + t)²`, the coefficients
+/// are `3 - 2t` and `3t - 4` in turn, and so they are for `t = -√2`. At `t = 4/3` that is `(1+z+z²)(1-z+z²)/3`.
+#[test]
+fn irrational_exceptions_of_a_ternary_family() {
+    let parts = [[3, -4, 3, -4, 3], [-2, 3, -2, 3, -2]].map(|part| product(&part, &[1, 1, 1]));
+    let text = |c: &i64| c.to_string();
+    let pairs: Vec<_> = parts[0].iter().zip(&parts[1]).map(|(p, q)| [text(p), text(q)]).collect();
+    let pairs: Vec<_> = pairs.iter().map(|pair| [pair[0].as_str(), pair[1].as_str()]).collect();
+    let family = of_arity(3, family(&pairs, 1));
+    let square = json!(["-2", "0", "1"]);
+    let [plus, minus] =
+        [["1", "2"], ["-2", "-1"]].map(|b| json!({"root_of": square, "between": b}));
+    accept(&stable_but_at(&family, &json!([minus, "4/3", plus])));
+    for missing in [json!([minus, "4/3"]), json!([minus, plus]), json!(["4/3", plus])] {
+        refuse(&stable_but_at(&family, &missing), "all but one of the points");
+    }
 }

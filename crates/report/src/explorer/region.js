@@ -79,24 +79,37 @@ function reasonsAt(map, point) {
 }
 
 /** Whether the shifts are stable at a point for a reason that holds almost everywhere: the halves of the
-    difference symbol c have no common zero, and c(-z) none with the polynomial of its squared zeros. */
+    difference symbol c have no common zero, and c(-z) none with the polynomial of its squared zeros; for other
+    arities two contrasts of neighbouring submasks have none. */
 function hasStableShifts(point) {
-  if (arity !== 2) return false;
   const values = cleared(difference.map((c) => evaluate(c, point))).tops;
-  const trimmed = (indices) => {
-    const occurs = (i) => difference[i].length > 0;
-    return indices.slice(indices.findIndex(occurs), indices.findLastIndex(occurs) + 1);
+  const trimmed = (indices, sign) => {
+    const occurs = (i) => sign(i) !== 0n && difference[i].length > 0;
+    const inner = indices.slice(indices.findIndex(occurs), indices.findLastIndex(occurs) + 1);
+    return inner.map((i) => sign(i) * values[i]);
   };
   const indices = values.map((_, i) => i);
-  const half = (k) => trimmed(indices.filter((i) => i % 2 === k)).map((i) => values[i]);
-  const alternating = trimmed(indices).map((i) => (i % 2 === 1 ? -values[i] : values[i]));
-  return areCoprime(half(0), half(1)) && areCoprime(alternating, ofSquares(alternating));
+  const contrast = (j) =>
+    trimmed(indices, (i) => BigInt(i % arity === j) - BigInt(i % arity === j + 1));
+  if (arity > 2) return areCoprime(contrast(0), contrast(1));
+  const half = (k) => trimmed(indices.filter((i) => i % 2 === k), () => 1n);
+  return areCoprime(half(0), half(1)) && areCoprime(contrast(0), ofSquares(contrast(0)));
 }
 
-/** The value of t at which the line of a section passes through a point; null if it does not. */
+/** Whether the mask at two points is the same. */
+function haveSameMask(a, b) {
+  if (factor) return a.every((x, k) => equal(x, b[k]));
+  const [one, other] = [memberAt(a), memberAt(b)];
+  return one.first === other.first && one.mask.length === other.mask.length
+    && one.mask.every((c, i) => equal(c, other.mask[i]));
+}
+
+/** The value of t at which the line of a section passes through a point; null if it does not. A section at a
+    point is about its mask. */
 function parameterOnSection({ origin, direction }, point) {
   const moving = direction.findIndex((d) => !isZero(d));
-  const t = moving < 0 ? ZERO : over(minus(point[moving], origin[moving]), direction[moving]);
+  if (moving < 0) return haveSameMask(origin, point) ? ZERO : null;
+  const t = over(minus(point[moving], origin[moving]), direction[moving]);
   const there = point.every((x, k) => equal(x, plus(origin[k], times(direction[k], t))));
   return there ? t : null;
 }
@@ -107,7 +120,7 @@ const neededPower = (n) => `(1 + z${arity > 2 ? ` + … + z${raised(arity - 1)}`
 function sectionText(n, { origin, direction }, interval) {
   const [start, way] = [origin, direction].map((p) => `(${p.map(toText).join(", ")})`);
   const divides = `where ${neededPower(n)} divides the symbol`;
-  if (direction.every(isZero)) return `at the only point ${divides}, (x, y) = ${start}`;
+  if (direction.every(isZero)) return `the mask is that at (x, y) = ${start}, ${divides}`;
   const part = interval ? `, t in ${interval.text}` : "";
   return `on the line ${divides}, (x, y) = ${start} + t ${way}${part}`;
 }

@@ -47,12 +47,10 @@ pub(super) fn single(scheme: &Scheme, progress: &dyn Fn(&str)) -> Result<Value, 
     }
     let holder = regularity(scheme.name(), scheme.mask(), &Options::default()).ok().map(|found| {
         let (lower, upper) = outward(&found);
-        match exact_text(&found, scheme.mask().arity()) {
-            _ if !found.stable && found.factor.is_none() => {
-                format!("at least {}", floored(&lower))
-            }
-            Some(text) => text,
-            None => format!("between {} and {}", place(&lower), place(&upper)),
+        match (exact_text(&found, scheme.mask().arity()), upper) {
+            (Some(text), _) => text,
+            (None, Some(upper)) => format!("between {} and {}", place(&lower), place(&upper)),
+            (None, None) => format!("at least {}", floored(&lower)),
         }
     });
     Ok(json!({"kind": "scheme", "verdicts": verdicts, "holder": holder}))
