@@ -1,6 +1,6 @@
 //! `range`: where C^n is proved over one parameter.
 
-use refinable_algebra::{Parameter, ParameterFraction, ParameterPolynomial, parse_rational};
+use refinable_algebra::{Parameter, ParameterFraction, ParameterPolynomial, Ring, parse_rational};
 use refinable_analysis::{Budget, NormRange, norm_range};
 use refinable_reals::{Bound, ExactForm, Interval, RealAlgebraic, Region};
 use refinable_scheme::{Diagnostic, Scheme, Substitution, geometric_factor};
