@@ -46,9 +46,11 @@ fn wedges_on_both_sides_of_a_pole() {
         }
     }
     let map = square(&rules("a/b"), 2);
+    // The cubic B-spline wherever a/b = 1/8.
     for (point, expected) in [
-        ([(1, 8), (1, 1)], MapVerdict::Undecided),
-        ([(-1, 16), (-1, 2)], MapVerdict::Undecided),
+        ([(1, 8), (1, 1)], MapVerdict::Proved),
+        ([(-1, 16), (-1, 2)], MapVerdict::Proved),
+        ([(0, 1), (0, 1)], MapVerdict::Undecided),
         ([(1, 7), (1, 1)], MapVerdict::Refuted),
         ([(1, 7), (0, 1)], MapVerdict::Undecided),
     ] {
@@ -116,5 +118,19 @@ fn changed_denominators_are_found() {
     let mut beyond = square(&rules("a/b"), 3).certificate;
     beyond.sections = line.sections;
     let error = verify_map(&beyond).unwrap_err().to_string();
-    assert!(error.contains("a section of a family with a denominator"), "{error}");
+    assert!(error.contains("a line of masks with a denominator"), "{error}");
+    let special = square(&rules("a/b"), 2).certificate;
+    for (origin, because) in [
+        ([(1, 4), (1, 1)], "a section is about other masks"),
+        ([(1, 4), (0, 1)], "a section at a pole"),
+        ([(0, 1), (0, 1)], "a section at a pole"),
+    ] {
+        let mut changed = special.clone();
+        changed.sections[0].origin = origin.map(|(p, q)| Number(rational(p, q)));
+        let error = verify_map(&changed).unwrap_err().to_string();
+        assert!(error.contains(because), "{error}");
+    }
+    let mut same = special;
+    same.sections[0].origin = [(-1, 16), (-1, 2)].map(|(p, q)| Number(rational(p, q)));
+    assert!(verify_map(&same).is_ok());
 }

@@ -115,7 +115,10 @@ function parameterOnSection({ origin, direction }, point) {
 }
 
 /** The power of 1 + z that C^n needs, or of its counterpart for another arity. */
-const neededPower = (n) => `(1 + z${arity > 2 ? ` + … + z${raised(arity - 1)}` : ""})${raised(n + 1)}`;
+const neededPower = (n) => {
+  const rest = { 2: "", 3: " + z²" }[arity] ?? ` + … + z${raised(arity - 1)}`;
+  return `(1 + z${rest})${raised(n + 1)}`;
+};
 
 function sectionText(n, { origin, direction }, interval) {
   const [start, way] = [origin, direction].map((p) => `(${p.map(toText).join(", ")})`);
@@ -185,8 +188,15 @@ function verdictsAt(parameters) {
   const point = toPlane(parameters);
   let stable;
   const isStable = () => (stable ??= hasStableShifts(parameters));
-  return maps.map((map) => ({
-    continuity: map.continuity,
-    ...verdictOnMap(map, point, isStable),
-  }));
+  // What is not C^n is not smoother.
+  let rough;
+  return maps.map((map) => {
+    const { continuity } = map;
+    const found = verdictOnMap(map, point, isStable);
+    if (found.verdict === "refuted") rough ??= continuity;
+    const known = found.verdict === "undecided" && rough !== undefined;
+    return known
+      ? { continuity, verdict: "refuted", because: `${order(rough)} is refuted` }
+      : { continuity, ...found };
+  });
 }
