@@ -311,6 +311,11 @@ fn two_parameters_with_poles() {
         let shown = verdicts(&mut browser, &numbers(&pole)).into_iter();
         assert_eq!(shown.map(|(_, verdict)| verdict).collect::<Vec<_>>(), undefined);
         assert!(browser.text("#mask").contains("pole"));
+        assert_eq!(browser.text("#headline"), "The family has a pole here");
+        let shown = browser.evaluate(
+            "[...document.querySelectorAll('#commands li, #facts, #certificate')].filter((e) => e.offsetParent).length",
+        );
+        assert_eq!(shown, 1, "the address of this view");
     }
     assert_eq!(browser.errors, [""; 0]);
 }

@@ -8,7 +8,7 @@ use refinable_algebra::{
     Integer, Parameter, Polynomial, Rational, Ring, clear_denominators, rational,
 };
 use refinable_analysis::{
-    ContinuityRange, Fineness, Map, Options, PointVerdict, Sharpness, continuity_at,
+    ContinuityRange, Fineness, Map, MapVerdict, Options, PointVerdict, Sharpness, continuity_at,
     default_window, map, region_of, regularity,
 };
 use refinable_certificate::{
@@ -212,7 +212,7 @@ fn holds_somewhere(map: &Map) -> bool {
         || map.certificate.sections.iter().any(|section| !proved_on(section).is_empty())
 }
 
-/// The parameters of the middle of a proved piece with the largest box around it.
+/// Parameters with short numbers near the middle of a proved piece with the largest box around it.
 fn centre(map: &Map) -> Option<[Rational; 2]> {
     let proved = map.cells.iter().filter(|cell| cell.verdict == CellVerdict::Proved);
     let boxes = proved.map(|cell| {
@@ -225,7 +225,14 @@ fn centre(map: &Map) -> Option<[Rational; 2]> {
     });
     let extent = |[[a, b], [c, d]]: &[[Rational; 2]; 2]| (b - a) * (d - c);
     let largest = boxes.max_by_key(extent)?;
-    map.plane.parameters_at(&largest.map(|[low, high]| (low + high) / rational(2, 1)))
+    let middle =
+        map.plane.parameters_at(&largest.map(|[low, high]| (low + high) / rational(2, 1)))?;
+    let short = (3..20).map(|bits| {
+        let parts = rational(1 << bits, 1);
+        middle.each_ref().map(|x| (x * &parts).round() / &parts)
+    });
+    let is_proved = |point: &[Rational; 2]| map.verdict_at(point) == MapVerdict::Proved;
+    short.into_iter().find(is_proved).or(Some(middle))
 }
 
 fn map_data(map: &Map) -> Value {

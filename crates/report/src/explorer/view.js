@@ -219,8 +219,9 @@ function showVerdicts(verdicts) {
   const parts = [highest === null ? "No continuity is proved" : `${order(highest)} is proved`];
   if (next) parts.push(`${order(next.continuity)} is ${next.verdict}`);
   // Set only when it changes: changes are read out.
-  const headline = parts.join(", ");
+  const headline = next?.verdict === "undefined" ? "The family has a pole here" : parts.join(", ");
   if (byId("headline").textContent !== headline) byId("headline").textContent = headline;
+  byId("certificate").hidden = highest === null;
   byId("certify").textContent = certifyCommand(highest ?? 0);
   byId("verdicts").replaceChildren(...verdicts.map(({ continuity, verdict, because }) => {
     const name = html("span", { class: "order" }, order(continuity));
@@ -247,6 +248,7 @@ function showFacts(member) {
   const rows = facts.map(([name, value]) =>
     html("div", { "data-fact": name }, html("dt", {}, name), html("dd", {}, value)));
   byId("facts").replaceChildren(...rows);
+  byId("facts").closest("section").hidden = !member;
 }
 
 function showMask(member) {
@@ -275,7 +277,8 @@ function showCurve(member, verdicts) {
   const ends = closed ? "" : "; the ends are reflected";
   const why = isTagged ? "for curves without interpolated vertices" : `where ${order(2)} is proved`;
   const combs = canComb ? "" : ` Curvature combs are drawn ${why}.`;
-  byId("curve-note").textContent = `${curve.length} points in floats${ends}.${combs}`;
+  const note = `${curve.length} points in floats${ends}.${combs}`;
+  byId("curve-note").textContent = member ? note : "There is no curve: the family has a pole here.";
   byId("tag").setAttribute("aria-pressed", tags[selected] === 1);
   byId("remove").disabled = points.length <= 2;
   byId("selected").textContent = `Vertex ${selected} at (${typeset(points[selected].join(", "))})`;
@@ -290,7 +293,11 @@ function showCommands(member, hasComb) {
     "mask in LaTeX": member ? latexOf(member) : "",
     "this view": location.href.split("#")[0] + toHash(),
   };
-  for (const [name, text] of Object.entries(texts)) copyable.get(name).textContent = text;
+  for (const [name, text] of Object.entries(texts)) {
+    const code = copyable.get(name);
+    code.textContent = text;
+    code.closest("li").hidden = !member && name !== "this view";
+  }
 }
 
 async function copy(name) {
