@@ -1,13 +1,14 @@
 //! For which values of a parameter a scheme is C^n, and for which it is not.
 
-use refinable_algebra::{Parameter, Rational};
-use refinable_certificate::{Certificate, Conclusion, End, Interval, Lemma, verify};
+use refinable_algebra::{Parameter, Polynomial, Rational};
+use refinable_certificate::{Certificate, Conclusion, End, Family, Interval, Lemma, verify};
 use refinable_reals::{Bound, RealAlgebraic, Region};
 use refinable_scheme::{Diagnostic, Normalised};
 use refinable_spectral::{Options, real_algebraic};
 
 use crate::line::Line;
 use crate::proof::Proof;
+use crate::rational_map::RationalMap;
 
 /// How sharp a range is to be.
 #[derive(Clone, Debug)]
@@ -240,6 +241,19 @@ pub fn region_of(intervals: &[Interval]) -> Region {
         let lower = bound(&interval.from, interval.ends.starts_with('['));
         Region::interval(lower, bound(&interval.to, interval.ends.ends_with(']')))
     }))
+}
+
+/// The values of the parameter by which a family runs along a line of masks, for intervals of a certificate that has
+/// been checked; `None` if it does not, or if the ends are roots of polynomials of a degree above 60.
+pub fn along_curve(family: &Family, intervals: &[Interval]) -> Option<Region> {
+    let line = &family.curve.as_ref()?.line;
+    let [p, q] = [&line.numerator, &line.denominator]
+        .map(|c| Polynomial::new(c.iter().map(|c| c.0.clone()).collect()));
+    let region = region_of(intervals);
+    let degree_of = |p: &Polynomial<Rational>| p.degree().unwrap_or(0);
+    let ends = region.ends().iter().map(|end| end.polynomial().degree().unwrap_or(0)).max();
+    let readable = ends.unwrap_or(0) * degree_of(&p).max(degree_of(&q)) <= 60;
+    readable.then(|| RationalMap::new(&p, &q).preimage(&region))
 }
 
 /// C^n of a scheme without free parameters, with its certificate.

@@ -49,8 +49,8 @@ pub use area::Area;
 pub use budget::Budget;
 pub use classification::{Classification, classify};
 pub use continuity::{
-    ContinuityRange, PointVerdict, Sharpness, certified_range, certified_verdict, continuity_at,
-    continuity_range, highest_continuity, region_of,
+    ContinuityRange, PointVerdict, Sharpness, along_curve, certified_range, certified_verdict,
+    continuity_at, continuity_range, highest_continuity, region_of,
 };
 pub use contractivity::{NormRange, Work, norm_range, norm_values};
 pub use degrees::{Degrees, GenerationDegree, ReproductionDegree, Stratum, degrees};

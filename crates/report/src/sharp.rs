@@ -2,7 +2,8 @@
 
 use refinable_algebra::decimal;
 use refinable_analysis::{
-    Budget, ContinuityRange, Line, PointVerdict, Sharpness, continuity_range, region_of,
+    Budget, ContinuityRange, Line, PointVerdict, Sharpness, along_curve, continuity_range,
+    region_of,
 };
 use refinable_certificate::{Certificate, Conclusion, Lemma};
 use refinable_reals::Region;
@@ -210,22 +211,29 @@ pub fn statement(certificate: &Certificate) -> String {
     let family = &certificate.family;
     match &certificate.conclusion {
         Conclusion::Continuity { continuity, proved, refuted } => {
-            let variable = family.parameter.as_deref().unwrap_or("");
-            let part = |word: &str, intervals: &[refinable_certificate::Interval]| match intervals {
-                [] => None,
-                _ if variable.is_empty() => Some(word.to_string()),
-                _ => Some(format!("{word} on {}", short(&region_of(intervals), variable))),
+            let curve = family.curve.as_ref();
+            let pulled = [proved, refuted].map(|intervals| along_curve(family, intervals));
+            let (regions, variable, along) = match (pulled, curve) {
+                ([Some(proved), Some(refuted)], Some(curve)) => {
+                    ([proved, refuted], Some(&curve.parameter), None)
+                }
+                (_, curve) => {
+                    let regions = [proved, refuted].map(|intervals| region_of(intervals));
+                    (regions, family.parameter.as_ref(), curve.map(|curve| &curve.parameter))
+                }
             };
-            let parts = [part("proved", proved), part("refuted", refuted)];
-            let text = parts.into_iter().flatten().collect::<Vec<_>>().join(", ");
+            let part = |(word, region): (&str, &Region)| match variable {
+                _ if region.is_empty() => None,
+                None => Some(word.to_string()),
+                Some(variable) => Some(format!("{word} on {}", short(region, variable))),
+            };
+            let parts = ["proved", "refuted"].into_iter().zip(&regions).filter_map(part);
+            let text = parts.collect::<Vec<_>>().join(", ");
             let text = if text.is_empty() { "nothing decided".into() } else { text };
-            let along = family.curve.as_ref().map(|curve| {
-                format!(
-                    ", in the coordinate of a line of masks along which {} runs",
-                    curve.parameter
-                )
+            let along = along.map_or(String::new(), |parameter| {
+                format!(", in the coordinate of a line of masks along which {parameter} runs")
             });
-            format!("{} is C^{continuity}: {text}{}", family.name, along.unwrap_or_default())
+            format!("{} is C^{continuity}: {text}{along}", family.name)
         }
         Conclusion::Regularity { holder: [lower, upper], .. } => {
             let (lower, upper) = (decimal(&lower.0, 12), decimal(&upper.0, 12));
@@ -241,6 +249,16 @@ mod tests {
     fn range(text: &str) -> Value {
         let scheme = Scheme::resolve(text, 2).unwrap();
         any_range_table(&scheme, 0, &Sharpness::default()).unwrap().json
+    }
+
+    /// A vertex rule with the weight `1/b` is C^1 for weights in (0, 1/2), that is for `b > 2`; said of `b`, not of the weight.
+    #[test]
+    fn statements_are_about_the_parameter() {
+        let scheme = Scheme::resolve("even: [1/b, 1-2/b, 1/b]; odd: [1/2, 1/2]", 2).unwrap();
+        let found = sharp_range(&scheme, 1, &Sharpness::default()).unwrap();
+        let stated = statement(&found.certificate);
+        let expected = "is C^1: proved on (2, ∞), refuted on (-∞, 0) ∪ (0, 2]";
+        assert!(stated.ends_with(expected), "{stated}");
     }
 
     /// The four-point scheme converges for `|w| < 1/2`: with `w = t²` for `t² < 1/2`, and with
