@@ -74,6 +74,19 @@ fn wedges_of_a_ternary_family() {
     }
 }
 
+/// Degree 6 is read, degree 7 refused before the search.
+#[test]
+fn degrees_that_are_read() {
+    let window = [[rational(0, 1), rational(1, 4)], [rational(1, 1), rational(2, 1)]];
+    let ask = |power: usize| {
+        let text = rules(&format!("a/b^{power}"));
+        let coarse = Fineness { undecided: rational(1, 2), ..Fineness::default() };
+        map(&text, scheme(&text).mask(), 1, &window, &coarse)
+    };
+    assert!(ask(6).is_ok());
+    assert_eq!(ask(7).unwrap_err().code(), "budget");
+}
+
 /// Denominators of higher degree, with and without zeros in the box, and asymmetric masks.
 #[test]
 fn masks_with_denominators_agree_with_single_values() {
