@@ -12,6 +12,7 @@ use serde_json::{Value, json};
 use crate::grid::{Cell, Document, Grid};
 use crate::number::{intervals, rational_number};
 use crate::sharp::statement;
+use crate::show::may_vanish;
 use crate::span::{named, parse_span};
 
 /// Maps of one family in one box for several orders of continuity, ascending.
@@ -280,7 +281,8 @@ fn boundaries(map: &Map) -> Vec<(Inequality, ParameterPolynomial)> {
 
 /// The polynomial that vanishes at the poles, primitive, if there are some.
 fn poles(map: &Map) -> Option<ParameterPolynomial> {
-    Some(in_parameters(map, map.certificate.family.denominator.as_ref()?))
+    let denominator = in_parameters(map, map.certificate.family.denominator.as_ref()?);
+    may_vanish(&denominator).then_some(denominator)
 }
 
 /// A polynomial in `x` and `y` as one in the parameters, primitive.

@@ -1,7 +1,8 @@
 //! `show`: a scheme's mask, support and kind; and its derivation.
 
-use refinable_algebra::Ring;
+use refinable_algebra::{ParameterPolynomial, Ring};
 use refinable_analysis::{Classification, classify};
+use refinable_reals::real_roots;
 use refinable_scheme::{Mask, Scheme};
 use serde_json::{Value, json};
 
@@ -54,8 +55,20 @@ pub fn words(kind: &Classification) -> Vec<&'static str> {
 /// The sentence on the values at which the family is not defined, if there may be some.
 pub fn pole(mask: &Mask) -> Option<String> {
     let denominator = mask.denominator();
-    (*denominator != refinable_algebra::ParameterPolynomial::one())
-        .then(|| format!("not defined where {denominator:#} = 0"))
+    may_vanish(denominator).then(|| format!("not defined where {denominator:#} = 0"))
+}
+
+/// Whether a polynomial may vanish for real values of its parameters; decided if it has only one and a degree of
+/// at most 60.
+pub(crate) fn may_vanish(p: &ParameterPolynomial) -> bool {
+    let parameters = p.parameters();
+    match parameters.iter().collect::<Vec<_>>()[..] {
+        [] => p.is_zero(),
+        [only] if p.degree() <= Some(60) => {
+            p.cleared_univariate(only).is_none_or(|(_, cleared)| !real_roots(&cleared).is_empty())
+        }
+        _ => true,
+    }
 }
 
 fn json(scheme: &Scheme, kind: &Classification, parameters: &[String]) -> Value {

@@ -134,6 +134,8 @@ pub(crate) fn unexpected(input: &Input<'_>) -> Diagnostic {
     let Lexed { token, span, .. } = &input[0];
     match &input.state.text[span.clone()] {
         _ if *token == Token::End => here(input, "the text ends too early"),
+        "," => here(input, "unexpected `,`")
+            .with_hint("decimals are written with a point: 0.5; lists in brackets: [1, 2, 1]"),
         written if written.len() <= LONGEST_QUOTE => here(input, format!("unexpected `{written}`")),
         _ => here(input, "unexpected `…`"),
     }
