@@ -224,6 +224,31 @@ fn level_one_is_what_the_paper_prints() {
     assert!(Plane::new("a7", seven.mask()).unwrap().level_one(5).is_none());
 }
 
+/// With `ω³ = 1` this mask has at `-ω` the value `4x + 2y - 4/3`: where it vanishes the shifts are not stable, as `-1` is
+/// its own cube, and nothing is refuted that needs it; neither where the order rises, `y = 0`.
+#[test]
+fn unstable_members_of_a_ternary_family() {
+    let text = "[x, 1/3+y, 2/3-y, 1-2x, 2/3-y, 1/3+y, x]";
+    let family = Scheme::resolve(text, 3).unwrap();
+    let window = window([[(0, 1), (1, 2)], [(1, 20), (1, 2)]]);
+    let map = map(text, family.mask(), 1, &window, &Fineness::default()).unwrap();
+    for (x, y, expected) in [
+        ((1, 4), (1, 6), MapVerdict::Undecided),
+        ((1, 6), (1, 3), MapVerdict::Undecided),
+        ((1, 4), (1, 5), MapVerdict::Refuted),
+        ((1, 6), (1, 4), MapVerdict::Refuted),
+    ] {
+        let point = [x, y].map(|(p, q)| rational(p, q));
+        assert_eq!(map.verdict_at(&point), expected, "{point:?}");
+    }
+    for (x, y) in [((1, 4), (1, 6)), ((1, 4), (0, 1))] {
+        let mut changed = map.certificate.clone();
+        changed.stable_at = Some([x, y].map(|(p, q)| Number(rational(p, q))));
+        let error = verify_map(&changed).unwrap_err().to_string();
+        assert!(error.contains("not shown to be stable"), "{error}");
+    }
+}
+
 /// Every change of a number that a proof rests on is found.
 #[test]
 fn changed_maps_do_not_hold() {
