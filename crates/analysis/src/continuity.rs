@@ -1,8 +1,8 @@
 //! For which values of a parameter a scheme is C^n, and for which it is not.
 
-use refinable_algebra::{Parameter, Polynomial, Rational};
+use refinable_algebra::{Domain, GcdDomain, Integer, Parameter, Polynomial, Rational, bit_length};
 use refinable_certificate::{Certificate, Conclusion, End, Family, Interval, Lemma, verify};
-use refinable_reals::{Bound, RealAlgebraic, Region};
+use refinable_reals::{Bound, RealAlgebraic, Region, real_roots};
 use refinable_scheme::{Diagnostic, Normalised};
 use refinable_spectral::{Options, real_algebraic};
 
@@ -244,16 +244,39 @@ pub fn region_of(intervals: &[Interval]) -> Region {
 }
 
 /// The values of the parameter by which a family runs along a line of masks, for intervals of a certificate that has
-/// been checked; `None` if it does not, or if the ends are roots of polynomials of a degree above 60.
+/// been checked, poles left out. `None` if it does not run along one, if it stays at one place, or if the numbers are too
+/// large: more than ten ends, a degree above 24 of their images, or coefficients of more than 400 bits.
+///
+/// # Cost
+/// A root isolation for each end.
 pub fn along_curve(family: &Family, intervals: &[Interval]) -> Option<Region> {
-    let line = &family.curve.as_ref()?.line;
-    let [p, q] = [&line.numerator, &line.denominator]
-        .map(|c| Polynomial::new(c.iter().map(|c| c.0.clone()).collect()));
+    let curve = family.curve.as_ref()?;
+    let [(p_scale, p), (q_scale, q), (_, poles)] =
+        [&curve.line.numerator, &curve.line.denominator, &curve.denominator]
+            .map(|c| Polynomial::new(c.iter().map(|c| c.0.clone()).collect()).cleared());
     let region = region_of(intervals);
-    let degree_of = |p: &Polynomial<Rational>| p.degree().unwrap_or(0);
-    let ends = region.ends().iter().map(|end| end.polynomial().degree().unwrap_or(0)).max();
-    let readable = ends.unwrap_or(0) * degree_of(&p).max(degree_of(&q)) <= 60;
-    readable.then(|| RationalMap::new(&p, &q).preimage(&region))
+    let ends: Vec<Polynomial<Integer>> =
+        region.ends().iter().map(RealAlgebraic::polynomial).collect();
+    let degree_of = |p: &Polynomial<Integer>| p.degree().unwrap_or(0);
+    let is_short = |p: &Polynomial<Integer>| p.coefficients().iter().all(|c| bit_length(c) <= 400);
+    let highest = ends.iter().map(degree_of).max().unwrap_or(1).max(1);
+    let readable = ends.len() <= 10
+        && degree_of(&p).max(degree_of(&q)) * highest <= 24
+        && degree_of(&poles) <= 24
+        && [&p, &q, &poles].into_iter().chain(&ends).all(is_short);
+    if !readable {
+        return None;
+    }
+    let common = p.gcd(&q);
+    let reduced = |p: &Polynomial<Integer>, scale: &Integer| {
+        Domain::quotient(p, &common).scaled(scale).map(|c| Rational::from(c.clone()))
+    };
+    let (p, q) = (reduced(&p, &q_scale), reduced(&q, &p_scale));
+    if p.is_constant() && q.is_constant() {
+        return None;
+    }
+    let region = RationalMap::new(&p, &q).preimage(&region);
+    Some(region.difference(&Region::points(real_roots(&poles))))
 }
 
 /// C^n of a scheme without free parameters, with its certificate.

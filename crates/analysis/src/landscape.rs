@@ -50,6 +50,8 @@ pub enum Locus {
     Line(Box<[[Rational; 2]; 2]>),
     /// At a point.
     Point,
+    /// Wherever the mask is that at a point: there are several of these, as masks are not affine.
+    Mask,
 }
 
 /// How near to the least growth summits are, as powers of two, tried in turn.
@@ -119,7 +121,8 @@ fn special_places(plane: &Plane, window: &Window) -> Vec<(Locus, Vec<[Rational; 
         let (origin, direction) = &common;
         if direction.iter().all(Rational::is_zero) {
             let parameters = plane.parameters_at(origin).filter(|p| contains(window, p));
-            found.extend(parameters.map(|parameters| (Locus::Point, vec![parameters])));
+            let locus = if plane.is_affine() { Locus::Point } else { Locus::Mask };
+            found.extend(parameters.map(|parameters| (locus, vec![parameters])));
             break;
         }
         let places = slowest_on(plane, window, origin, direction).into_iter();

@@ -224,7 +224,7 @@ fn forget_refuted(nodes: &mut [Node]) {
     }
 }
 
-/// C^n on the line, or at the point, where `σ^(n+1)` divides, or of the one mask for which it does, if that is all.
+/// C^n on the line, or at the point, where `σ^(n+1)` divides; if masks are not affine, of a mask for which it does.
 fn on_line(plane: &Plane, window: &Window, continuity: usize) -> Vec<Section> {
     let Some((origin, direction)) = plane.divisible_along(continuity + 1, window) else {
         return Vec::new();

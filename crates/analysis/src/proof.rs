@@ -213,12 +213,13 @@ impl<'a> Proof<'a> {
         }
     }
 
-    /// Decides C^n at a value that is listed as an exception, though perhaps none for its own order.
+    /// Decides C^n at a value at which the family is an exception: its member may be none, as where the order rises.
     fn exception(&self, x: &Rational) -> Option<(PointVerdict, Vec<Lemma>)> {
-        self.reduced(x).or_else(|| {
-            let found = self.at(x);
-            matches!(found.0, PointVerdict::Proved | PointVerdict::Refuted).then_some(found)
-        })
+        if self.line.arity() == 2 {
+            return self.reduced(x);
+        }
+        let found = self.at(x);
+        matches!(found.0, PointVerdict::Proved | PointVerdict::Refuted).then_some(found)
     }
 
     /// Decides C^n at a value at which stability fails, by the mask `a q(z) / q(z²)` that has a limit

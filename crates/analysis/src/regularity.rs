@@ -64,7 +64,8 @@ pub fn regularity(
     }
     expect_proof(&line)?;
     let sharp = matches!(instability(&line), Instability::At(_));
-    let own = Regularity { stable: is_stable(&line), ..regularity_of(&line, sharp, options)? };
+    let own =
+        Regularity { stable: is_stable(&line, sharp), ..regularity_of(&line, sharp, options)? };
     if sharp || own.continuity.is_none() {
         return Ok(own);
     }

@@ -34,9 +34,9 @@ pub(crate) fn instability(line: &Line) -> Instability {
     })
 }
 
-/// Whether the shifts of a scheme without parameter are stable, if that is known: always for arity two.
-pub(crate) fn is_stable(member: &Line) -> Option<bool> {
-    let sharp = matches!(instability(member), Instability::At(_));
+/// Whether the shifts of a scheme without parameter are stable, if that is known: always for arity two. It is
+/// known already whether the criterion of contraction is sharp.
+pub(crate) fn is_stable(member: &Line, sharp: bool) -> Option<bool> {
     if member.arity() > 2 {
         return sharp.then_some(true);
     }
@@ -82,11 +82,14 @@ fn zeros_but_one(line: &Line) -> Option<Vec<RealAlgebraic>> {
         return (!have_common_zero(&Rational::zero())).then(Vec::new);
     }
     let [first, second] = contrasts.get(..2)? else { return None };
-    let resultant = first.polynomial().resultant(second.polynomial());
-    if resultant.is_zero() {
+    let [first, second] = [first, second].map(Laurent::polynomial);
+    // Two monomials have no common zero until they vanish: then the first does.
+    let monomials = first.is_constant() && second.is_constant();
+    let eliminant = if monomials { first.coefficient(0) } else { first.resultant(second) };
+    if eliminant.is_zero() {
         return None;
     }
-    let roots = simple_roots(&resultant).into_iter();
+    let roots = simple_roots(&eliminant).into_iter();
     Some(roots.filter(|x| have_common_zero(&x.enclosure(&close()).0)).collect())
 }
 
@@ -416,7 +419,8 @@ mod tests {
     fn stable_is_what_is_stable() {
         let stable = |arity, text: &str| {
             let scheme = Scheme::resolve(text, arity).unwrap();
-            is_stable(&Line::new(text, scheme.mask()).unwrap())
+            let line = Line::new(text, scheme.mask()).unwrap();
+            is_stable(&line, matches!(instability(&line), Instability::At(_)))
         };
         for text in ["dd4", "bspline3", "dd8"] {
             assert_eq!(stable(2, text), Some(true), "{text}");

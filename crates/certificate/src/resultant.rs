@@ -10,7 +10,7 @@ pub(crate) type Coefficients = Vec<Polynomial<Integer>>;
 
 /// The resultant of two polynomials up to its sign, the second padded with zeros to the degree `n`
 /// of the first: the determinant of Bezout's matrix. (For each zero it is multiplied by the leading
-/// coefficient of the first.)
+/// coefficient of the first.) It is 1 for two constants, even where both vanish.
 ///
 /// The matrix has the entries of `(a(x) b(y) - a(y) b(x)) / (x - y)`.
 pub(crate) fn resultant(

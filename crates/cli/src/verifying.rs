@@ -74,4 +74,42 @@ mod tests {
             assert!(code == 1 && verdict.starts_with("invalid: "), "{verdict}");
         }
     }
+
+    /// A family that stays at one place of the line, or whose line is given by more than is needed, or by much more than
+    /// is worked with: it is stated in the coordinate of the line.
+    #[test]
+    fn lines_of_strangers() {
+        let verdict = |line: &str, from: &str| {
+            let text = format!(
+                r#"{{"format":"refinable-certificate","version":1,"family":{{"name":"x","arity":2,"parameter":"t",
+                "order":3,"lowest":0,"mask":[["1/4"],["3/4"],["3/4"],["1/4"]],"curve":{{"parameter":"s",
+                "mask":[["1/4"],["3/4"],["3/4"],["1/4"]],"denominator":["1"],"line":{line}}}}},"conclusion":
+                {{"kind":"continuity","continuity":2,"proved":[],"refuted":[{{"from":{from},"to":{from},"ends":"[]"}}]}},
+                "lemmas":[{{"kind":"word","pencil":"parameter","word":"0","from":null,"to":null}},
+                {{"kind":"stable","except":[]}}]}}"#
+            );
+            let (code, verdict) = verdict_on(text.as_bytes());
+            assert_eq!(code, 0, "{verdict}");
+            verdict
+        };
+        let long = format!(r#"["1",{}"1"]"#, r#""0","#.repeat(1000));
+        let root = r#"{"root_of":["-5","1"],"between":["4","6"]}"#;
+        for (numerator, denominator, from) in [
+            (r#"["5"]"#, r#"["1"]"#, r#""5""#),
+            (r#"["5"]"#, r#"["1"]"#, root),
+            ("[]", r#"["1"]"#, r#""0""#),
+            (r#"["0","5"]"#, r#"["0","1"]"#, r#""5""#),
+            (&long, r#"["1"]"#, r#""5""#),
+        ] {
+            let line = format!(r#"{{"numerator":{numerator},"denominator":{denominator}}}"#);
+            let stated = verdict(&line, from);
+            assert!(
+                stated.contains("refuted on t = ") && stated.contains("in the coordinate"),
+                "{stated}"
+            );
+        }
+        // t = s²/s: the place 5 is s = 5, and s = 0 is a pole of what is given.
+        let reducible = r#"{"numerator":["0","0","1"],"denominator":["0","1"]}"#;
+        assert!(verdict(reducible, r#""5""#).contains("refuted on s = 5"));
+    }
 }

@@ -163,6 +163,7 @@ fn where_text(locus: &Locus) -> &'static str {
         Locus::Plane => "",
         Locus::Line(..) => " (on a line)",
         Locus::Point => " (at a point)",
+        Locus::Mask => " (one mask)",
     }
 }
 
@@ -174,6 +175,7 @@ fn locus_text(locus: &Locus) -> String {
             format!("line (x, y) = ({x}, {y}) + t ({dx}, {dy})")
         }
         Locus::Point => "point".into(),
+        Locus::Mask => "mask".into(),
     }
 }
 

@@ -110,8 +110,15 @@ impl Maps {
                 let [x, y] = section.origin.each_ref().map(|c| &c.0);
                 let [dx, dy] = section.direction.each_ref().map(|c| &c.0);
                 let verdict = statement(&section.certificate);
-                if dx.is_zero() && dy.is_zero() {
-                    format!("C^{n} may hold for the mask at (x, y) = ({x}, {y}) only: {verdict}")
+                if !map.plane.is_affine() {
+                    let factor = geometric_factor(map.plane.arity());
+                    format!(
+                        "({factor})^{} divides the symbol at (x, y) = ({x}, {y}), and wherever the mask is \
+                         the same, maybe for others too: {verdict} there",
+                        n + 1
+                    )
+                } else if dx.is_zero() && dy.is_zero() {
+                    format!("C^{n} may hold at (x, y) = ({x}, {y}) only: {verdict}")
                 } else {
                     format!(
                         "C^{n} may hold on the line (x, y) = ({x}, {y}) + t ({dx}, {dy}) only: {verdict}"

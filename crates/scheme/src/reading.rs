@@ -132,9 +132,13 @@ pub(crate) fn say<'t>(
 
 pub(crate) fn unexpected(input: &Input<'_>) -> Diagnostic {
     let Lexed { token, span, .. } = &input[0];
-    match &input.state.text[span.clone()] {
+    let text = &input.state.text;
+    // 0,5 where there is no list.
+    let beside = [text[..span.start].chars().next_back(), text[span.end..].chars().next()];
+    let between_digits = beside.iter().all(|c| c.is_some_and(|c| c.is_ascii_digit()));
+    match &text[span.clone()] {
         _ if *token == Token::End => here(input, "the text ends too early"),
-        "," => here(input, "unexpected `,`")
+        "," if between_digits => here(input, "unexpected `,`")
             .with_hint("decimals are written with a point: 0.5; lists in brackets: [1, 2, 1]"),
         written if written.len() <= LONGEST_QUOTE => here(input, format!("unexpected `{written}`")),
         _ => here(input, "unexpected `…`"),

@@ -153,6 +153,7 @@ const REFUSED: [(&str, &str, &str, Option<&str>); 48] = [
     ("[(1) -1]", "syntax", "-", Some("commas")),
     ("[]", "syntax", "]", None),
     ("[1,,1]", "syntax", ",", None),
+    ("0,5*(1+z)", "syntax", ",", Some("with a point: 0.5")),
     ("[1, 1,]", "syntax", "]", None),
     ("[1, 1", "syntax", "", None),
     ("1/2[1, 1]", "syntax", "[", Some("`1/16*[...]`")),

@@ -16,10 +16,15 @@ pub(crate) fn is_generic(
     point: &[Rational; 2],
     work: &mut Work,
 ) -> Check<bool> {
-    let contrast = scheme.contrast(0, point);
+    let mut contrasts = (0..scheme.arity - 1).map(|j| scheme.contrast(j, point));
     if scheme.arity > 2 {
-        return are_coprime(&contrast, &scheme.contrast(1, point), work);
+        let mut occurring = contrasts.filter(|contrast| !contrast.is_empty());
+        let (Some(first), Some(second)) = (occurring.next(), occurring.next()) else {
+            return Ok(false);
+        };
+        return are_coprime(&first, &second, work);
     }
+    let contrast = contrasts.next().unwrap_or_default();
     let [even, odd] = scheme.halves(point);
     Ok(are_coprime(&even, &odd, work)? && are_coprime(&contrast, &squares(&contrast, work)?, work)?)
 }
@@ -37,6 +42,7 @@ fn squares(coefficients: &[Integer], work: &mut Work) -> Check<Vec<Integer>> {
 /// Whether the resultant of two polynomials of formal degrees does not vanish.
 fn are_coprime(a: &[Integer], b: &[Integer], work: &mut Work) -> Check<bool> {
     let (long, short) = if a.len() >= b.len() { (a, b) } else { (b, a) };
+    // Two monomials: the resultant of constants is 1, even where both vanish.
     if long.len() <= 1 {
         return Ok(long.iter().chain(short).any(|c| !c.is_zero()));
     }

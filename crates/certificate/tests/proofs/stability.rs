@@ -151,6 +151,26 @@ fn schemes_of_higher_arity() {
     }
 }
 
+/// `c = t - t z² + z³ (1 + z⁴)/2` for arity 4: the first two contrasts are monomials, `t` and `t z²`, and where they vanish the
+/// third does at the zeros of `1 + z⁴`. For arity 5 and 6 likewise.
+#[test]
+fn contrasts_that_are_monomials() {
+    for arity in [4, 5, 6] {
+        // c is t - t z^(m-2) + z^(m-1) (1 + z^m)/2.
+        let mut parts = [vec![0; 2 * arity], vec![0; 2 * arity]];
+        (parts[1][0], parts[1][arity - 2]) = (1, -1);
+        (parts[0][arity - 1], parts[0][2 * arity - 1]) = (1, 1);
+        let sigma = vec![1; arity];
+        let [p, q] = parts.map(|part| product(&part, &sigma));
+        let text: Vec<[String; 2]> =
+            p.iter().zip(&q).map(|(p, q)| [format!("{p}/2"), q.to_string()]).collect();
+        let pairs: Vec<_> = text.iter().map(|pair| pair.each_ref().map(String::as_str)).collect();
+        let family = of_arity(arity, family(&pairs, 1));
+        accept(&stable_but_at(&family, &json!(["0"])));
+        refuse(&stable_but_at(&family, &json!([])), "all but one of the points");
+    }
+}
+
 /// `c = t + (1-2t) z + t z²`: at `t = 1` it vanishes at `-ω` and `-ω²`, `ω³ = 1`; at 1/3 at `ω` and `ω²`.
 #[test]
 fn rational_exceptions_of_a_ternary_family() {

@@ -91,7 +91,11 @@ function hasStableShifts(point) {
   const indices = values.map((_, i) => i);
   const contrast = (j) =>
     trimmed(indices, (i) => BigInt(i % arity === j) - BigInt(i % arity === j + 1));
-  if (arity > 2) return areCoprime(contrast(0), contrast(1));
+  if (arity > 2) {
+    const all = Array.from({ length: arity - 1 }, (_, j) => contrast(j));
+    const [first, second] = all.filter((c) => c.length > 0);
+    return second !== undefined && areCoprime(first, second);
+  }
   const half = (k) => trimmed(indices.filter((i) => i % 2 === k), () => 1n);
   return areCoprime(half(0), half(1)) && areCoprime(contrast(0), ofSquares(contrast(0)));
 }
