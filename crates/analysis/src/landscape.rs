@@ -9,7 +9,7 @@ use refinable_spectral::{Options, PlanePencil, Window, decay, slowest};
 use crate::budget::expect_readable_words;
 use crate::line::{Line, letters};
 use crate::map::divisible_plane;
-use crate::plane::Plane;
+use crate::plane::{Plane, Special};
 use crate::regularity::{Regularity, regularity};
 
 /// The Hölder exponents of a family in a box.
@@ -50,7 +50,7 @@ pub enum Locus {
     Line(Box<[[Rational; 2]; 2]>),
     /// At a point.
     Point,
-    /// Wherever the mask is that at a point: there are several of these, as masks are not affine.
+    /// Wherever the mask is that at a point.
     Mask,
 }
 
@@ -112,23 +112,27 @@ impl Landscape {
 /// The smoothest places in the box on each line and at each point where a higher power divides.
 fn special_places(plane: &Plane, window: &Window) -> Vec<(Locus, Vec<[Rational; 2]>)> {
     let mut found = Vec::new();
-    let mut seen = None;
+    let mut seen = Vec::new();
     for order in plane.order() + 1.. {
-        let Some(common) = plane.divisible_along(order, window) else { break };
-        if seen.as_ref() == Some(&common) {
-            continue;
-        }
-        let (origin, direction) = &common;
-        if direction.iter().all(Rational::is_zero) {
-            let parameters = plane.parameters_at(origin).filter(|p| contains(window, p));
-            let locus = if plane.is_affine() { Locus::Point } else { Locus::Mask };
-            found.extend(parameters.map(|parameters| (locus, vec![parameters])));
+        let special = plane.special(order, window);
+        if special.is_empty() {
             break;
         }
-        let places = slowest_on(plane, window, origin, direction).into_iter();
-        let locus = Locus::Line(Box::new([origin.clone(), direction.clone()]));
-        found.extend(places.map(|choices| (locus.clone(), choices)));
-        seen = Some(common);
+        for place in special.into_iter().filter(|place| !seen.contains(place)).collect::<Vec<_>>() {
+            let at = |point: &[Rational; 2]| {
+                plane.parameters_at(point).filter(|p| contains(window, p)).map(|p| vec![p])
+            };
+            match &place {
+                Special::Line(line) => {
+                    let [origin, direction] = &**line;
+                    let places = slowest_on(plane, window, origin, direction).into_iter();
+                    found.extend(places.map(|choices| (Locus::Line(line.clone()), choices)));
+                }
+                Special::Point(point) => found.extend(at(point).map(|p| (Locus::Point, p))),
+                Special::Mask(point) => found.extend(at(point).map(|p| (Locus::Mask, p))),
+            }
+            seen.push(place);
+        }
     }
     found
 }

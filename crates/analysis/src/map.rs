@@ -14,7 +14,7 @@ use refinable_spectral::{Effort, Window, outline, partition};
 use crate::area::Area;
 use crate::continuity::{Sharpness, region_of};
 use crate::line::{Line as LineOfMasks, radius_bound};
-use crate::plane::Plane;
+use crate::plane::{Plane, Special};
 use crate::proof::Proof;
 
 /// A map with its certificate, checked.
@@ -118,7 +118,7 @@ pub fn map(
         let node = if stable_at.is_some() { Node::Indivisible } else { Node::Undecided };
         roots = (0..parts.len()).collect();
         nodes = vec![node; parts.len()];
-        sections = on_line(&plane, window, continuity);
+        sections = on_special(&plane, window, continuity);
     }
     let certificate = MapCertificate {
         format: MAP_FORMAT.into(),
@@ -224,20 +224,24 @@ fn forget_refuted(nodes: &mut [Node]) {
     }
 }
 
-/// C^n on the line, or at the point, where `σ^(n+1)` divides; if masks are not affine, of a mask for which it does.
-fn on_line(plane: &Plane, window: &Window, continuity: usize) -> Vec<Section> {
-    let Some((origin, direction)) = plane.divisible_along(continuity + 1, window) else {
-        return Vec::new();
+/// C^n where `σ^(n+1)` divides, as far as this is known.
+fn on_special(plane: &Plane, window: &Window, continuity: usize) -> Vec<Section> {
+    let section = |special: Special| {
+        let [origin, direction] = match special {
+            Special::Line(line) => *line,
+            Special::Point(at) | Special::Mask(at) => [at, [Rational::zero(), Rational::zero()]],
+        };
+        let masks = plane.along(&origin, &direction)?;
+        let moves = direction.iter().any(|d| !d.is_zero());
+        let parameter = moves.then(|| Parameter::new("t"));
+        let line = LineOfMasks::through(plane.name(), plane.arity(), parameter, masks);
+        let sharpness = Sharpness::default();
+        let mut proof = Proof::new(&line, line.order(), continuity, &sharpness);
+        proof.search();
+        let certificate = proof.certificate();
+        Some(Section { origin: origin.map(Number), direction: direction.map(Number), certificate })
     };
-    let Some(masks) = plane.along(&origin, &direction) else { return Vec::new() };
-    let moves = direction.iter().any(|d| !d.is_zero());
-    let parameter = moves.then(|| Parameter::new("t"));
-    let line = LineOfMasks::through(plane.name(), plane.arity(), parameter, masks);
-    let sharpness = Sharpness::default();
-    let mut proof = Proof::new(&line, line.order(), continuity, &sharpness);
-    proof.search();
-    let certificate = proof.certificate();
-    vec![Section { origin: origin.map(Number), direction: direction.map(Number), certificate }]
+    plane.special(continuity + 1, window).into_iter().filter_map(section).collect()
 }
 
 /// The largest total degree of the numerators and the denominator of a map.

@@ -15,6 +15,19 @@ use crate::line::letters;
 
 /// Lines through a box for each coordinate, less one.
 const PARTS: i64 = 16;
+/// Special masks that are looked at one by one.
+const FEW: usize = 4;
+
+/// Where a higher power of `σ` divides the symbol.
+#[derive(Clone, PartialEq, Eq)]
+pub(crate) enum Special {
+    /// On the line through a point of the plane of `(x, y)` in a direction, along which the mask changes.
+    Line(Box<[[Rational; 2]; 2]>),
+    /// At a point.
+    Point([Rational; 2]),
+    /// Wherever the mask is that at a point.
+    Mask([Rational; 2]),
+}
 
 /// The parts of a mask by exponents of two variables.
 type Parts = BTreeMap<(u32, u32), Laurent<Rational>>;
@@ -224,24 +237,52 @@ impl Plane {
         (0..degree).map(condition).filter(|c| !c.is_zero()).collect()
     }
 
-    /// The line, or the point, of the plane of `(x, y)` on which `σ^order` divides the symbol: a point of it, and
-    /// how it goes on. If masks are not affine, a point in the box if the mask is the same at all those that are found.
-    pub(crate) fn divisible_along(
-        &self,
-        order: usize,
-        window: &Window,
-    ) -> Option<([Rational; 2], [Rational; 2])> {
+    /// Where `σ^order` divides the symbol: all of it if masks are affine, else the masks at points of the box that are
+    /// found, if they are few.
+    pub(crate) fn special(&self, order: usize, window: &Window) -> Vec<Special> {
         let conditions = self.divisibility(order);
-        if self.is_affine() {
-            return common_line(&conditions);
+        if !self.is_affine() {
+            let mut masks = Vec::new();
+            let mut points = common_points(&conditions, window);
+            points.sort_by_key(|[x, y]| x.to_string().len() + y.to_string().len());
+            points.retain(|point| {
+                let mask = (!self.is_pole(point)).then(|| self.mask_at(point));
+                let is_new = mask.as_ref().is_some_and(|mask| !masks.contains(mask));
+                masks.extend(mask.filter(|_| is_new));
+                is_new
+            });
+            points.truncate(if points.len() <= FEW { FEW } else { 0 });
+            return points.into_iter().map(Special::Mask).collect();
         }
-        let mut points = common_points(&conditions, window);
-        points.retain(|point| !self.is_pole(point));
-        let mask = self.mask_at(points.first()?);
-        let same = points.len() > 1 && points.iter().all(|point| self.mask_at(point) == mask);
-        let shortest =
-            points.into_iter().min_by_key(|[x, y]| x.to_string().len() + y.to_string().len());
-        shortest.filter(|_| same).map(|point| (point, [Rational::zero(), Rational::zero()]))
+        let Some((origin, direction)) = common_line(&conditions) else { return Vec::new() };
+        let moves = self.along(&origin, &direction).is_some_and(|[_, slope]| !slope.is_zero());
+        if moves {
+            return vec![Special::Line(Box::new([origin, direction]))];
+        }
+        if direction.iter().all(Rational::is_zero) {
+            return vec![Special::Point(origin)];
+        }
+        vec![Special::Mask(self.short_point(&origin, &direction, window).unwrap_or(origin))]
+    }
+
+    /// A point on a line that is in the box, if there is one with a parameter that is a few parts of its range.
+    fn short_point(
+        &self,
+        origin: &[Rational; 2],
+        direction: &[Rational; 2],
+        window: &Window,
+    ) -> Option<[Rational; 2]> {
+        let axis = usize::from(direction[0].is_zero());
+        let [low, high] = &window[axis];
+        let points = (1..PARTS).map(|k| {
+            let t = (low + (high - low) * rational(k, PARTS) - &origin[axis]) / &direction[axis];
+            [0, 1].map(|i| &origin[i] + &direction[i] * &t)
+        });
+        let is_inside = |point: &[Rational; 2]| {
+            let parameters = self.parameters_at(point);
+            parameters.is_some_and(|p| p.iter().zip(window).all(|(x, [a, b])| a <= x && x <= b))
+        };
+        points.filter(is_inside).min_by_key(|[x, y]| x.to_string().len() + y.to_string().len())
     }
 
     /// The mask at a point `(x, y)` that is no pole.

@@ -1,11 +1,11 @@
 //! `map`: where C^n is proved and refuted over two parameters.
 
 use refinable_algebra::{
-    Monomial, Parameter, ParameterFraction, ParameterPolynomial, Polynomial, Rational, Ring,
-    decimal, parse_rational,
+    GcdDomain, Monomial, Parameter, ParameterFraction, ParameterPolynomial, Polynomial, Rational,
+    Ring, decimal, parse_rational,
 };
 use refinable_analysis::{Area, Fineness, Map, Plane, Window, default_window, map, region_of};
-use refinable_certificate::{CellVerdict, Conclusion, Inequality, Node, Polygon, Terms};
+use refinable_certificate::{CellVerdict, Conclusion, Inequality, Node, Number, Polygon, Terms};
 use refinable_scheme::{Diagnostic, Scheme, Substitution, geometric_factor};
 use serde_json::{Value, json};
 
@@ -118,13 +118,14 @@ impl Maps {
                         n + 1
                     )
                 } else if dx.is_zero() && dy.is_zero() {
-                    format!("C^{n} may hold at (x, y) = ({x}, {y}) only: {verdict}")
+                    format!("C^{n} may hold for the mask at (x, y) = ({x}, {y}) only: {verdict}")
                 } else {
                     format!(
                         "C^{n} may hold on the line (x, y) = ({x}, {y}) + t ({dx}, {dy}) only: {verdict}"
                     )
                 }
             }));
+            remarks.extend(left_open(map));
             if let Some(polygon) = map.plane.level_one(n) {
                 let corners = corner_texts(&polygon);
                 let corners: Vec<String> =
@@ -284,6 +285,39 @@ fn boundaries(map: &Map) -> Vec<(Inequality, ParameterPolynomial)> {
         }
     }
     found
+}
+
+/// Where a higher power divides the symbol and nothing is said, if that is not known to be nowhere.
+fn left_open(map: &Map) -> Option<String> {
+    let order = map.continuity() + 1;
+    if order <= map.plane.order() || !map.certificate.sections.is_empty() {
+        return None;
+    }
+    let terms = |form: &Polynomial<Polynomial<Rational>>| -> Terms {
+        let rows = form.coefficients().iter().enumerate();
+        let entries = rows.flat_map(|(j, row)| {
+            let row = row.coefficients().iter().enumerate();
+            row.map(move |(i, c)| (Number(c.clone()), i as u32, j as u32))
+        });
+        entries.collect()
+    };
+    let conditions = map.plane.divisibility(order);
+    let conditions: Vec<ParameterPolynomial> =
+        conditions.iter().map(|form| in_parameters(map, &terms(form))).collect();
+    let common = conditions.iter().fold(ParameterPolynomial::zero(), |g, p| g.gcd(p));
+    let never = |p: &ParameterPolynomial| !may_vanish(p);
+    if conditions.iter().any(never) {
+        return None;
+    }
+    let factor = geometric_factor(map.plane.arity());
+    let text = common.to_string();
+    let place = match common.as_constant() {
+        Some(_) => "at single points at most".into(),
+        None if never(&common) => return None,
+        None if text.chars().count() <= LONGEST => format!("where {text} = 0"),
+        None => "on a curve".into(),
+    };
+    Some(format!("({factor})^{order} may divide the symbol {place}: C^{} is open there", order - 1))
 }
 
 /// The polynomial that vanishes at the poles, primitive, if there are some.

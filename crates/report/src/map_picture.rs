@@ -65,10 +65,14 @@ impl Maps {
         for map in &self.maps {
             let path = sections(map, &frame);
             let shade = self.shade(map);
+            // A point is a path of no length.
+            let stays = |s: &Section| s.direction.iter().all(|d| d.0.is_zero());
+            let is_point = map.certificate.sections.iter().any(stays);
+            let caps = if is_point { " stroke-linecap=\"round\"" } else { "" };
             let _ = writeln!(
                 svg,
-                "<path d=\"{path}\" fill=\"none\" stroke=\"#ffffff\" stroke-width=\"5\"/>\
-                 <path d=\"{path}\" fill=\"none\" stroke=\"{shade}\" stroke-width=\"3\"/>"
+                "<path d=\"{path}\" fill=\"none\" stroke=\"#ffffff\" stroke-width=\"5\"{caps}/>\
+                 <path d=\"{path}\" fill=\"none\" stroke=\"{shade}\" stroke-width=\"3\"{caps}/>"
             );
         }
         for mark in marks {
@@ -149,8 +153,14 @@ impl Maps {
             }
         };
         for map in &self.maps {
-            let on_line = map.certificate.sections.iter().any(|s| !proved_on(s).is_empty());
-            let on = if on_line { ", on a line" } else { "" };
+            let sections = || map.certificate.sections.iter().filter(|s| !proved_on(s).is_empty());
+            let on_line = sections().next().is_some();
+            let moves = sections().any(|s| s.direction.iter().any(|d| !d.0.is_zero()));
+            let on = match (on_line, moves) {
+                (true, true) => ", on a line",
+                (true, false) => ", one mask",
+                (false, _) => "",
+            };
             let proved = map.cells.iter().any(|cell| cell.verdict == CellVerdict::Proved);
             let verb = if proved || on_line { "proved" } else { "nowhere proved" };
             let text = format!("{} {verb}{on}", order(map.continuity()));
@@ -270,20 +280,23 @@ fn corners(map: &Map, frame: &Frame, points: &[[Rational; 2]]) -> Vec<(f64, f64)
     let Some([c, d]) = factor else {
         return floats.iter().map(|[x, y]| (frame.x(*x), frame.y(*y))).collect();
     };
+    let factor = |[x, _]: &[f64; 2]| c + d * x;
+    let at = |[x, y]: [f64; 2]| (frame.x(x), frame.y(y / factor(&[x, y])));
+    let is_singular = |point: &[f64; 2]| factor(point).abs() < 1e-12;
     let next = floats.iter().cycle().skip(1);
     let mut all = Vec::new();
-    for ([ax, ay], [bx, by]) in floats.iter().zip(next) {
-        // Short edges are as good as straight.
-        let at = |[x, y]: [f64; 2]| (frame.x(x), frame.y(y / (c + d * x)));
-        let ((px, py), (qx, qy)) = (at([*ax, *ay]), at([*bx, *by]));
-        let pieces = ((qx - px).hypot(qy - py) / EDGE).clamp(1.0, MOST_PIECES) as usize;
-        for k in 0..pieces {
-            let t = k as f64 / pieces as f64;
-            let (x, y) = (ax + t * (bx - ax), ay + t * (by - ay));
-            let l = c + d * x;
-            // Where the factor vanishes a corner is a whole edge of the box.
-            if l.abs() > 1e-12 {
-                all.push((frame.x(x), frame.y(y / l)));
+    for (a, b) in floats.iter().zip(next) {
+        // A corner at which the factor vanishes is a whole edge there; on edges towards it v is constant.
+        match (is_singular(a), is_singular(b)) {
+            (true, true) => {}
+            (true, false) => all.push((frame.x(a[0]), at(*b).1)),
+            (false, true) => all.extend([at(*a), (frame.x(b[0]), at(*a).1)]),
+            (false, false) => {
+                // Short edges are as good as straight.
+                let ((px, py), (qx, qy)) = (at(*a), at(*b));
+                let pieces = ((qx - px).hypot(qy - py) / EDGE).clamp(1.0, MOST_PIECES) as usize;
+                let step = |k: usize| k as f64 / pieces as f64;
+                all.extend((0..pieces).map(|k| at([0, 1].map(|i| a[i] + step(k) * (b[i] - a[i])))));
             }
         }
     }
@@ -311,4 +324,36 @@ fn shoelace(points: &[(f64, f64)]) -> f64 {
 fn order(n: usize) -> String {
     let raised = raised(&n.to_string()).unwrap_or_default();
     format!("C{raised}")
+}
+
+#[cfg(test)]
+mod tests {
+    use refinable_analysis::Fineness;
+    use refinable_scheme::Scheme;
+
+    use super::*;
+
+    /// What is drawn covers the area that is proved, also where the factor of the chart vanishes in the box.
+    #[test]
+    fn drawn_areas_are_the_areas() {
+        for (text, window) in [
+            ("even: [a*b, 1-2*a*b, a*b]; odd: [1/2, 1/2]", "a=-1..1,b=-1..1"),
+            ("fourpoint(a*b)", "a=-1..1,b=-1/2..1"),
+            ("combine(combine(bspline3, dd4, s), bspline1, t)", "t=0..2,s=-4..4"),
+            ("a3", "alpha=0..1/2,beta=-1/4..1/4"),
+            ("[a, 1/2+b, 1-2*a, 1/2-b, a]", "a=-1/2..1/2,b=-1/2..1/2"),
+        ] {
+            let scheme = Scheme::resolve(text, 2).unwrap();
+            let maps = Maps::new(&scheme, "0", Some(window), &Fineness::default()).unwrap();
+            let map = &maps.maps[0];
+            let frame = Frame::new(map.window());
+            let proved = map.cells.iter().filter(|cell| cell.verdict == CellVerdict::Proved);
+            let drawn: f64 =
+                proved.map(|cell| shoelace(&corners(map, &frame, &cell.polygon.points()))).sum();
+            let [width, height] = map.window().map(|[low, high]| place(&(high - low)));
+            let drawn = drawn / (WIDTH * HEIGHT) * width * height;
+            let exact = place(&map.areas()[0].lower);
+            assert!((drawn / exact - 1.0).abs() < 0.005, "{text}: {drawn} for {exact}");
+        }
+    }
 }

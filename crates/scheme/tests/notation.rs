@@ -139,7 +139,7 @@ fn a_sign_in_parentheses_is_an_operator() {
 }
 
 /// A text, the code, what the caret is under, and a part of the hint if there is one.
-const REFUSED: [(&str, &str, &str, Option<&str>); 48] = [
+const REFUSED: [(&str, &str, &str, Option<&str>); 49] = [
     ("[1/16a, 2]", "syntax", "a", Some("write `1/16*a` or `1/(16*a)`")),
     ("[64 a]", "syntax", "a", Some("write `64, a` or `64*a`")),
     ("[1/(a)b]", "syntax", "b", Some("write")),

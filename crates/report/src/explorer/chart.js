@@ -120,20 +120,31 @@ function createChart(element, { move, step, zoom }) {
     if (!lines) return points.map(([x, y]) => [across(x), down(y)]);
     const l = (x) => lines[0] + lines[1] * x;
     const place = ([x, y]) => [across(x), down(y / l(x))];
+    const isSingular = ([x]) => Math.abs(l(x)) < 1e-12;
     const count = closed ? points.length : points.length - 1;
     const all = [];
     for (let i = 0; i < count; i++) {
       const [p, q] = [points[i], points[(i + 1) % points.length]];
+      // A corner at which the factor vanishes is a whole edge there; on edges towards it v is constant.
+      if (isSingular(p) && isSingular(q)) continue;
+      if (isSingular(p)) {
+        all.push([across(p[0]), place(q)[1]]);
+        continue;
+      }
+      if (isSingular(q)) {
+        all.push(place(p), [across(q[0]), place(p)[1]]);
+        continue;
+      }
       const [[px, py], [qx, qy]] = [place(p), place(q)];
-      const bends = Math.min(Math.max(Math.hypot(qx - px, qy - py) / EDGE, 1), MOST_BENDS);
-      for (let k = 0; k < Math.floor(bends || 1); k++) {
-        const f = k / Math.floor(bends || 1);
+      const bends = Math.floor(Math.min(Math.max(Math.hypot(qx - px, qy - py) / EDGE, 1), MOST_BENDS));
+      for (let k = 0; k < bends; k++) {
+        const f = k / bends;
         const [x, y] = [p[0] + f * (q[0] - p[0]), p[1] + f * (q[1] - p[1])];
-        // Where the factor vanishes a corner is a whole edge of the box.
-        if (Math.abs(l(x)) > 1e-12) all.push([across(x), down(y / l(x))]);
+        all.push(place([x, y]));
       }
     }
-    if (!closed) all.push(place(points[points.length - 1]));
+    const last = points[points.length - 1];
+    if (!closed && !isSingular(last)) all.push(place(last));
     return all;
   }
 

@@ -100,10 +100,17 @@ function hasStableShifts(point) {
   return areCoprime(half(0), half(1)) && areCoprime(contrast(0), ofSquares(contrast(0)));
 }
 
-/** Whether the mask at two points is the same. */
+/** The parameters of a point (x, y); null where the factor vanishes. */
+function fromPlane([x, y]) {
+  const l = factor ? plus(factor[0], times(factor[1], x)) : ONE;
+  return isZero(l) ? null : [x, over(y, l)];
+}
+
+/** Whether the mask at two points of the plane is the same. */
 function haveSameMask(a, b) {
-  if (factor) return a.every((x, k) => equal(x, b[k]));
-  const [one, other] = [memberAt(a), memberAt(b)];
+  const places = [a, b].map(fromPlane);
+  if (places.includes(null)) return a.every((x, k) => equal(x, b[k]));
+  const [one, other] = places.map(memberAt);
   return one.first === other.first && one.mask.length === other.mask.length
     && one.mask.every((c, i) => equal(c, other.mask[i]));
 }
