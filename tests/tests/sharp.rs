@@ -179,6 +179,10 @@ fn ternary_schemes_from_both_sides() {
     let found = range(&four, "mu", 2);
     assert_eq!(found.proved, Region::open(rational(1, 15), rational(1, 9)));
     assert_eq!(found.refuted, found.proved.complement());
+    // At 1/27 the order is four, and still nothing is C³.
+    for n in 3..=6 {
+        assert_eq!(range(&four, "mu", n).refuted, Region::line(), "C^{n}");
+    }
     let smooth = exponent(&at(&four, "mu", &rational(1, 11)));
     assert_eq!((smooth.continuity, smooth.stable), (Some(2), Some(true)));
     assert_eq!(smooth.scale, Some(rational(11, 9).into()));

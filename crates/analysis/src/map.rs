@@ -317,7 +317,7 @@ impl Map {
             return self.on_section(point);
         }
         let refuted = says(CellVerdict::Refuted { if_stable: false })
-            || says(CellVerdict::Refuted { if_stable: true }) && self.checker.is_generic(point);
+            || says(CellVerdict::Refuted { if_stable: true }) && self.checker.is_stable(point);
         if refuted { MapVerdict::Refuted } else { MapVerdict::Undecided }
     }
 

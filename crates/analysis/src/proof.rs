@@ -180,8 +180,15 @@ impl<'a> Proof<'a> {
     fn at(&self, x: &Rational) -> (PointVerdict, Vec<Lemma>) {
         let member = self.line.at(x);
         let order = member.order();
+        let is_sharp = || matches!(instability(&member), Instability::At(_));
+        let sharp = Lemma::Stable { except: Vec::new() };
+        let lemma = |lemmas| vec![Lemma::At { value: Number(x.clone()), order, lemmas }];
         if order <= self.continuity {
-            return (PointVerdict::Undecided, Vec::new());
+            let indivisible = Lemma::Indivisible { order: self.continuity + 1, except: Vec::new() };
+            return match order > 0 && is_sharp() {
+                true => (PointVerdict::Refuted, lemma(vec![indivisible, sharp])),
+                false => (PointVerdict::Undecided, Vec::new()),
+            };
         }
         let pencil = member.pencil(order, &radius_bound(member.arity(), order, self.continuity));
         // Inside an `at` lemma everything happens at the value itself.
@@ -189,20 +196,15 @@ impl<'a> Proof<'a> {
             let inner = vec![Lemma::Polytope(Box::new(polytope.clone()))];
             self.holds(vec![Lemma::At { value: Number(x.clone()), order, lemmas: inner }])
         };
-        let lemma = |lemmas| vec![Lemma::At { value: Number(x.clone()), order, lemmas }];
         match decide(&pencil, x, &self.sharpness.spectral, &accept) {
             Constant::Contracting(polytope) => {
                 (PointVerdict::Proved, lemma(vec![Lemma::Polytope(polytope)]))
             }
             Constant::Expanding(word) => {
                 let word = word_at(x, &word.to_string());
-                let stable = matches!(instability(&member), Instability::At(_));
-                match (self.continuity, stable) {
+                match (self.continuity, is_sharp()) {
                     (0, _) => (PointVerdict::Refuted, lemma(vec![word])),
-                    (_, true) => {
-                        let stable = Lemma::Stable { except: Vec::new() };
-                        (PointVerdict::Refuted, lemma(vec![word, stable]))
-                    }
+                    (_, true) => (PointVerdict::Refuted, lemma(vec![word, sharp])),
                     (_, false) => {
                         let unstable = || (PointVerdict::Unstable, lemma(vec![word]));
                         self.reduced(x).unwrap_or_else(unstable)

@@ -239,7 +239,7 @@ fn contrast(c: &AffineSymbol, arity: usize, j: usize) -> Pair {
 }
 
 /// The polynomial without the factors `1 - z` that it has identically.
-fn without_zeros_at_one([mut p, mut q]: Pair) -> Pair {
+pub(crate) fn without_zeros_at_one([mut p, mut q]: Pair) -> Pair {
     let sum = |c: &[Integer]| c.iter().sum::<Integer>();
     while p.len() > 1 && sum(&p).is_zero() && sum(&q).is_zero() {
         for part in [&mut p, &mut q] {

@@ -241,6 +241,14 @@ fn unstable_members_of_a_ternary_family() {
         let point = [x, y].map(|(p, q)| rational(p, q));
         assert_eq!(map.verdict_at(&point), expected, "{point:?}");
     }
+    // Where the order rises all contrasts vanish at one, which does no harm: C^2 needs one power more than there is.
+    let higher = [[(0, 1), (1, 2)], [(-1, 4), (1, 4)]].map(|w| w.map(|(p, q)| rational(p, q)));
+    let higher = refinable_analysis::map(text, family.mask(), 2, &higher, &Fineness::default());
+    let higher = higher.unwrap();
+    for (x, expected) in [((1, 4), MapVerdict::Refuted), ((1, 3), MapVerdict::Undecided)] {
+        let point = [x, (0, 1)].map(|(p, q)| rational(p, q));
+        assert_eq!(higher.verdict_at(&point), expected, "{point:?}");
+    }
     for (x, y) in [((1, 4), (1, 6)), ((1, 4), (0, 1))] {
         let mut changed = map.certificate.clone();
         changed.stable_at = Some([x, y].map(|(p, q)| Number(rational(p, q))));

@@ -4,6 +4,7 @@ use refinable_algebra::{Integer, Polynomial, Rational, Ring};
 
 use crate::map::family::PlaneScheme;
 use crate::resultant::{of_squares, resultant};
+use crate::stability::without_zeros_at_one;
 use crate::work::{Check, Work};
 
 /// Whether the shifts are stable at a point for a reason that holds almost everywhere: for arity two,
@@ -16,7 +17,32 @@ pub(crate) fn is_generic(
     point: &[Rational; 2],
     work: &mut Work,
 ) -> Check<bool> {
-    let mut contrasts = (0..scheme.arity - 1).map(|j| scheme.contrast(j, point));
+    let contrasts = (0..scheme.arity - 1).map(|j| scheme.contrast(j, point)).collect();
+    are_clear(scheme, contrasts, point, work)
+}
+
+/// Whether the shifts are stable at one point: likewise, but `z = 1`, a zero where the order rises, does no harm.
+pub(crate) fn is_stable(
+    scheme: &PlaneScheme,
+    point: &[Rational; 2],
+    work: &mut Work,
+) -> Check<bool> {
+    let contrast = |j| {
+        let values = scheme.contrast(j, point);
+        let zeros = vec![Integer::zero(); values.len()];
+        let [rest, _] = without_zeros_at_one([values, zeros]);
+        rest
+    };
+    are_clear(scheme, (0..scheme.arity - 1).map(contrast).collect(), point, work)
+}
+
+fn are_clear(
+    scheme: &PlaneScheme,
+    contrasts: Vec<Vec<Integer>>,
+    point: &[Rational; 2],
+    work: &mut Work,
+) -> Check<bool> {
+    let mut contrasts = contrasts.into_iter();
     if scheme.arity > 2 {
         let mut occurring = contrasts.filter(|contrast| !contrast.is_empty());
         let (Some(first), Some(second)) = (occurring.next(), occurring.next()) else {

@@ -16,7 +16,7 @@ use crate::map::model::{
 };
 use crate::map::polygon::{Line, Polygon};
 use crate::map::quadratic::Letters;
-use crate::map::stability::is_generic;
+use crate::map::stability::{is_generic, is_stable};
 use crate::model::{Conclusion, VERSION};
 use crate::number::Number;
 use crate::verify::verify;
@@ -137,6 +137,11 @@ impl MapChecker {
     /// Whether the shifts are stable at a point of the plane for a reason that holds almost everywhere.
     pub fn is_generic(&self, point: &[Rational; 2]) -> bool {
         is_generic(&self.scheme, point, &mut Work::new()).unwrap_or(false)
+    }
+
+    /// Whether the shifts are shown to be stable at one point of the plane, which says nothing about others.
+    pub fn is_stable(&self, point: &[Rational; 2]) -> bool {
+        is_stable(&self.scheme, point, &mut Work::new()).unwrap_or(false)
     }
 
     fn letters(&self) -> Check<&Letters> {

@@ -78,9 +78,17 @@ function reasonsAt(map, point) {
   return [...found].map((k) => map.reasons[k]);
 }
 
-/** Whether the shifts are stable at a point for a reason that holds almost everywhere: the halves of the
-    difference symbol c have no common zero, and c(-z) none with the polynomial of its squared zeros; for other
-    arities two contrasts of neighbouring submasks have none. */
+/** The coefficients of a polynomial without its zeros at 1. */
+function withoutOnes(values) {
+  const sums = [];
+  let sum = 0n;
+  for (const value of values) sums.push((sum += value));
+  return values.length > 1 && sum === 0n ? withoutOnes(sums.slice(0, -1)) : values;
+}
+
+/** Whether the shifts are shown to be stable at a point: the halves of the difference symbol c have no common zero,
+    and c(-z) but at z = 1 none with the polynomial of its squared zeros; for other arities two contrasts of neighbouring
+    submasks have none but 1. */
 function hasStableShifts(point) {
   const values = cleared(difference.map((c) => evaluate(c, point))).tops;
   const trimmed = (indices, sign) => {
@@ -90,7 +98,7 @@ function hasStableShifts(point) {
   };
   const indices = values.map((_, i) => i);
   const contrast = (j) =>
-    trimmed(indices, (i) => BigInt(i % arity === j) - BigInt(i % arity === j + 1));
+    withoutOnes(trimmed(indices, (i) => BigInt(i % arity === j) - BigInt(i % arity === j + 1)));
   if (arity > 2) {
     const all = Array.from({ length: arity - 1 }, (_, j) => contrast(j));
     const [first, second] = all.filter((c) => c.length > 0);
