@@ -46,6 +46,15 @@ fn the_smoothest_members_of_known_families() {
     let two = rational(2, 1);
     let four_point = smoothest("fourpoint(w)", Region::open(zero.clone(), rational(19, 100)));
     assert_eq!(four_point, (rational(1, 16), two.clone(), two));
+    // Chaikin's scheme among others with the factor (1+z)², by the rise of its order.
+    let corners =
+        smoothest("1/2*(1+z)^2*(3*a+(1-3*a)*z)", Region::open(zero.clone(), half.clone()));
+    assert_eq!(corners, (rational(1, 6), rational(2, 1), rational(2, 1)));
+    // A simple number near where words grow least: the ternary four-point scheme at 1/11.
+    let ternary = Scheme::resolve("ternaryfourpoint(mu)", 3).unwrap();
+    let region = Region::open(rational(1, 15), rational(1, 9));
+    let (place, found) = smoothest_in("ternary", ternary.mask(), &region).unwrap();
+    assert_eq!((place, found.scale), (rational(1, 11), Some(rational(11, 9).into())));
     let five = rational(5, 1);
     let spline = smoothest("jspline(s)", Region::open(half, rational(3, 1)));
     assert_eq!(spline, (rational(3, 2), five.clone(), five));

@@ -2,7 +2,7 @@
 //! largest.
 
 use refinable_algebra::{Integer, Rational, Ring};
-use refinable_reals::{Interval, Region};
+use refinable_reals::{Interval, Region, common_roots};
 use refinable_scheme::{Diagnostic, Normalised};
 use refinable_spectral::{Options, PlanePencil, Window, decay, slowest};
 
@@ -59,6 +59,8 @@ const TOLERANCES: [u32; 5] = [12, 9, 7, 6, 4];
 /// The same where a summit has to be found at once: nearer to the least growth more words grow nearly as fast as the fastest,
 /// and a proof takes a minute or fails.
 const COARSE: [u32; 2] = [5, 4];
+/// The same for simple numbers.
+const NEAR: [u32; 1] = [12];
 /// Beside an end that is left out: as far as this part of half of the interval.
 const BESIDE: i64 = 128;
 /// Steps on each line.
@@ -204,33 +206,88 @@ pub fn smoothest_in(
         let member = mask.at(std::slice::from_ref(&t)).ok()?;
         Some((t, regularity(name, &member, &Options::default()).ok()?))
     };
-    let best_of = |interval: &Interval| -> Option<(Rational, Regularity)> {
-        match interval.as_point() {
-            Some(point) => certified(point.as_rational()?.clone()),
-            None => places_in(&line, interval).into_iter().find_map(certified),
-        }
-    };
-    let found = region.intervals().iter().filter_map(best_of).collect::<Vec<_>>().into_iter();
+    // Where the order rises there is often a summit; and so there is at simple numbers.
+    let special = common_roots(&line.divisibility(line.order() + 1)).into_iter();
+    let special = special.filter_map(|x| x.as_rational().cloned()).flat_map(|x| line.lift(&x));
+    let mut found: Vec<_> =
+        special.filter(|t| region.contains_rational(t)).filter_map(certified).collect();
+    for interval in region.intervals() {
+        let Some(point) = interval.as_point() else {
+            let (simple, rounded) = places_in(&line, &interval);
+            found.extend(simple.and_then(certified));
+            found.extend(rounded.into_iter().find_map(certified));
+            continue;
+        };
+        found.extend(point.as_rational().cloned().and_then(certified));
+    }
     // The first of equal ones.
-    found.reduce(|best, next| if next.1.lower > best.1.lower { next } else { best })
+    found.into_iter().reduce(|best, next| if next.1.lower > best.1.lower { next } else { best })
 }
 
-/// Values of the family's parameter near where words grow least in an interval.
-fn places_in(line: &Line, interval: &Interval) -> Vec<Rational> {
+/// The largest denominator of a simple number.
+const SIMPLE: i64 = 64;
+
+/// Values of the family's parameter near where words grow least in an interval: a simple number very near, if there is
+/// one, and others that are less near.
+fn places_in(line: &Line, interval: &Interval) -> (Option<Rational>, Vec<Rational>) {
     let width = Rational::new(1.into(), Integer::from(1) << 60usize);
     let (Some(lower), Some(upper)) = (interval.lower.number(), interval.upper.number()) else {
-        return Vec::new();
+        return (None, Vec::new());
     };
     let ends = [lower.enclosure(&width).1, upper.enclosure(&width).0];
-    let Some(span) = line.span(&ends) else { return Vec::new() };
+    let Some(span) = line.span(&ends) else { return (None, Vec::new()) };
+    let near = slowest_between(line, span.clone(), &NEAR);
+    let radius = (&ends[1] - &ends[0]) / Rational::from_i64(512);
+    let simple =
+        near.iter().flat_map(|x| line.lift(x)).map(|t| simplest(&(&t - &radius), &(t + &radius)));
+    let region = Region::from(interval);
+    let simple = simple
+        .into_iter()
+        .find(|t| *t.denom() <= Integer::from(SIMPLE) && region.contains_rational(t));
     let places = slowest_between(line, span, &COARSE);
     // The search may come to an end that does not belong to the interval: beside it then.
-    let region = Region::from(interval);
     let middle = (&ends[0] + &ends[1]) / Rational::from_i64(2);
     let inward = |t: Rational| match region.contains_rational(&t) {
         true => t,
         false => &t + (&middle - &t) / Rational::from_i64(BESIDE),
     };
     let found = places.iter().flat_map(|x| line.lift(x)).map(inward);
-    found.filter(|t| region.contains_rational(t)).collect()
+    (simple, found.filter(|t| region.contains_rational(t)).collect())
+}
+
+/// The number with the smallest denominator between two, `a < b`, by continued fractions.
+fn simplest(a: &Rational, b: &Rational) -> Rational {
+    let whole = a.ceil();
+    if whole <= *b {
+        // The whole number nearest to zero.
+        let last = b.floor();
+        return Rational::zero().clamp(whole, last);
+    }
+    let floor = a.floor();
+    &floor + simplest(&(b - &floor).recip(), &(a - &floor).recip()).recip()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use refinable_algebra::rational;
+
+    /// By looking at all numbers with smaller denominators.
+    #[test]
+    fn the_simplest_number_between_two() {
+        let samples = (-40..40).map(|k| (rational(k, 13), rational(k, 13) + rational(1, 9)));
+        for (a, b) in
+            samples.chain((-40..40).map(|k| (rational(k, 7), rational(k, 7) + rational(1, 200))))
+        {
+            let found = simplest(&a, &b);
+            let denominator = (1..).find(|d| {
+                let d = Rational::from_i64(*d);
+                (&a * &d).ceil() <= (&b * &d).floor()
+            });
+            assert!(a <= found && found <= b);
+            assert_eq!(*found.denom(), Integer::from(denominator.unwrap()), "{a} {b}");
+        }
+        assert_eq!(simplest(&rational(-5, 2), &rational(7, 2)), rational(0, 1));
+        assert_eq!(simplest(&rational(-7, 2), &rational(-5, 2)), rational(-3, 1));
+    }
 }

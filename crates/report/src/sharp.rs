@@ -162,7 +162,7 @@ pub(crate) fn undecided_because(range: &ContinuityRange) -> Vec<String> {
     } else if !range.is_exact() {
         reasons.push(
             "undecided intervals: no proof was found there; a narrow gap is left at an end at \
-             which a complex pair of eigenvalues leads",
+             which a complex pair of eigenvalues, or several words at once, lead",
         );
     }
     reasons.into_iter().map(String::from).collect()
