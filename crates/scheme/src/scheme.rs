@@ -52,8 +52,8 @@ impl Scheme {
     /// ```
     ///
     /// # Errors
-    /// `unknown-scheme`, `not-normalised`, `arity` for a catalogue name with another arity than 2, `construction`
-    /// for arguments that a construction does not take, and those of [`Mask::parse`].
+    /// `unknown-scheme`, `not-normalised`, `arity` for a catalogue name with another arity than 2, and for a construction if the
+    /// one asked for is neither its own nor 2; `construction` for arguments that a construction does not take, and those of [`Mask::parse`].
     pub fn resolve(text: &str, arity: usize) -> Result<Self, Diagnostic> {
         Scheme::resolve_with(text, arity, &[])
     }
@@ -76,7 +76,14 @@ impl Scheme {
             return named(text, arity)?.with(substitutions);
         }
         let (mask, source) = match constructed(text, 0) {
-            Some((construction, made)) => (made?, construction.source()),
+            Some((construction, made)) => {
+                let made = made?;
+                // Two is what is not asked for.
+                if arity != 2 {
+                    expect_arity(text, &made, arity)?;
+                }
+                (made, construction.source())
+            }
             None => (Mask::parse(text, arity)?, None),
         };
         let mask = substituted(&mask, substitutions)?;
@@ -134,12 +141,17 @@ fn is_name(text: &str) -> bool {
         && text.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
 }
 
+fn expect_arity(name: &str, mask: &Mask, arity: usize) -> Result<(), Diagnostic> {
+    if mask.arity() == arity {
+        return Ok(());
+    }
+    let message = format!("`{name}` has arity {}, not {arity}", mask.arity());
+    Err(Diagnostic::new("arity", message))
+}
+
 fn named(name: &str, arity: usize) -> Result<Scheme, Diagnostic> {
     let (row, mask, derivation) = look_up(name)?;
-    if arity != mask.arity() {
-        let message = format!("`{name}` has arity {}, not {arity}", mask.arity());
-        return Err(Diagnostic::new("arity", message));
-    }
+    expect_arity(name, &mask, arity)?;
     let source = Some(row.source().to_string());
     Ok(Scheme { source, derivation, ..Scheme::new(name, Normalised::new(mask)?) })
 }

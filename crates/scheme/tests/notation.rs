@@ -119,6 +119,12 @@ fn a_ternary_mask_has_three_stencils() {
     assert!(scheme.is_interpolatory());
     let two = Scheme::resolve("bspline1", 3).unwrap_err();
     assert_eq!((two.code(), two.message()), ("arity", "`bspline1` has arity 2, not 3"));
+    let two = Scheme::resolve("fourpoint(w)", 3).unwrap_err();
+    assert_eq!((two.code(), two.message()), ("arity", "`fourpoint(w)` has arity 2, not 3"));
+    for arity in [2, 3] {
+        let three = Scheme::resolve("ternaryfourpoint(w)", arity).unwrap();
+        assert_eq!(three.mask().arity(), 3);
+    }
 }
 
 #[test]

@@ -127,7 +127,7 @@ fn tensions(scheme: &Scheme, parameters: &[Parameter]) -> Tensions {
             Err(error) => Tensions::None(error.message().to_string()),
         },
         _ => {
-            let text = "no value of one parameter makes the vertex rule keep old points";
+            let text = "no value of a parameter was found at which the vertex rule of a binary family keeps old points";
             Tensions::None(text.into())
         }
     }
