@@ -74,7 +74,8 @@ pub fn only_parameter(scheme: &Scheme) -> Result<Parameter, Diagnostic> {
         (Some(parameter), true) => Ok(parameter),
         (None, _) => {
             let message = format!("{} has no free parameter, and a range needs one", scheme.name());
-            let hint = "leave one parameter free, or ask for a value: `refinable norm`";
+            let hint =
+                "`refinable regularity SCHEME`, or `certify SCHEME -n N`, is about a single scheme";
             Err(Diagnostic::new("parameters", message).with_hint(hint))
         }
         (Some(last), false) => {

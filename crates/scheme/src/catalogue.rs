@@ -2,6 +2,7 @@
 
 use refinable_algebra::{Integer, Laurent, ParameterPolynomial, Rational, Ring, binomial, integer};
 
+use crate::construction::{Construction, constructions};
 use crate::derivation::Derivation;
 use crate::diagnostic::Diagnostic;
 use crate::displacement::{even_family, interpolatory_family, odd_family};
@@ -174,6 +175,11 @@ fn unknown(name: &str) -> Diagnostic {
     let names: Vec<_> = ENTRIES.iter().map(Entry::names).collect();
     let nearest = nearest(name).map_or_else(String::new, |near| format!("did you mean `{near}`? "));
     let error = Diagnostic::new("unknown-scheme", format!("there is no scheme `{shown}{more}`"));
+    // The name of a construction, without what it is made of.
+    let begun = |c: &&Construction| c.signature().split('(').next() == Some(name);
+    if let Some(construction) = constructions().iter().find(begun) {
+        return error.with_hint(format!("write `{}`", construction.signature()));
+    }
     error.with_hint(format!(
         "{nearest}the catalogue has {}; or type a mask such as `[-w, 0, 1/2+w, 1, 1/2+w, 0, -w]`",
         names.join(", ")

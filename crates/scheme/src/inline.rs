@@ -89,7 +89,10 @@ fn rules_value(
     if rules.len() != arity || !numbers.iter().copied().eq(0..arity as u64) {
         let message =
             format!("a scheme of arity {arity} has the rules 0 to {}, once each", arity - 1);
-        let hint = "write `even: [...]; odd: [...]`, or name the arity";
+        let hint = match arity {
+            2 => "write `even: [...]; odd: [...]`, or name the arity",
+            _ => "write `0: [...]; 1: [...]; 2: [...]` and so on, or name another arity",
+        };
         return Err(Diagnostic::new("arity", message).with_hint(hint).at(text, 0..text.len()));
     }
     let mut parts = Vec::new();

@@ -4,7 +4,9 @@ use std::collections::BTreeMap;
 use std::fmt;
 use std::ops::Deref;
 
-use refinable_algebra::{Parameter, ParameterFraction, ParameterPolynomial, Rational, Ring};
+use refinable_algebra::{
+    GcdDomain, Parameter, ParameterFraction, ParameterPolynomial, Rational, Ring,
+};
 
 use crate::diagnostic::{Diagnostic, shortened};
 use crate::mask::{Mask, primitive_conditions};
@@ -107,13 +109,17 @@ fn is_normalised(mask: &Mask) -> bool {
 
 fn rejection(mask: &Mask) -> Diagnostic {
     let sums = mask.stencil_sums();
-    let listed: Vec<_> = sums
+    let wrong: Vec<_> = sums
+        .iter()
+        .enumerate()
+        .filter(|(_, sum)| sum.as_constant() != Some(Rational::one()))
+        .collect();
+    let listed: Vec<_> = wrong
         .iter()
         .take(LISTED)
-        .enumerate()
         .map(|(e, sum)| format!("stencil {e} sums to {}", shortened(sum)))
         .collect();
-    let more = if sums.len() > LISTED { ", …" } else { "" };
+    let more = if wrong.len() > LISTED { ", …" } else { "" };
     let message = format!("every stencil of a scheme sums to 1, but {}{more}", listed.join(", "));
     let error = Diagnostic::new("not-normalised", message);
     match advice(mask, &sums) {
@@ -131,7 +137,13 @@ fn advice(mask: &Mask, sums: &[ParameterFraction]) -> Option<String> {
         return same.then(|| format!("multiply the mask by {}", Rational::one() / c));
     }
     let conditions = conditions(mask);
-    if conditions.iter().any(|c| c.as_constant().is_some()) {
+    let never = |p: &ParameterPolynomial| p.as_constant().is_some_and(|c| !c.is_zero());
+    // For one parameter, if it is easily told: whether all sums are 1 anywhere.
+    let is_easy = mask.parameters().len() == 1
+        && conditions.len() <= LISTED
+        && conditions.iter().all(|c| c.degree() <= Some(24));
+    let common = || conditions.iter().fold(ParameterPolynomial::zero(), |common, c| common.gcd(c));
+    if conditions.iter().any(never) || is_easy && never(&common()) {
         return None;
     }
     let equation = |c: &ParameterPolynomial| format!("{} = 0", shortened(format!("{c:#}")));
