@@ -10,7 +10,8 @@ use crate::outline::Window;
 use crate::plane::PlanePencil;
 use crate::word::Word;
 
-/// How long words are at the points of a picture, and where the least growth is sought.
+/// How long words are at the points of a picture, and where the least growth is sought, for two letters; for more letters
+/// they are shorter, so that there are not many times as many.
 const DRAWN: usize = 5;
 const SOUGHT: usize = 8;
 /// Binary places of logarithms.
@@ -23,14 +24,22 @@ const STARTS: usize = 6;
 const SHRINK: f64 = 0.6;
 const ROUNDS: usize = 40;
 
+/// The short words, of which there are at most four times as many as for two letters.
+fn words(pencil: &PlanePencil, longest: usize) -> Vec<Word> {
+    let most = 4 << longest;
+    let count = |length: &usize| pencil.letters().checked_pow(*length as u32);
+    let length = (1..=longest).rev().find(|length| count(length).is_some_and(|n| n <= most));
+    Word::necklaces(pencil.letters(), length.unwrap_or(1), pencil.is_mirrored())
+}
+
 /// `-log_m` of the growth per letter of the fastest of the short words at the nodes of a grid, the ends of the
 /// box included, row by row from its lower end; a multiple of `2^-24`. Longer words may grow faster: the decay
 /// of all products is this at the most, as far as floats can tell.
 ///
 /// # Cost
-/// All words of up to five letters at each node.
+/// All words of up to five letters, or as many shorter ones, at each node.
 pub fn decay(pencil: &PlanePencil, window: &Window, [columns, rows]: [usize; 2]) -> Vec<Rational> {
-    let words = Word::necklaces(pencil.letters(), DRAWN, pencil.is_mirrored());
+    let words = words(pencil, DRAWN);
     let spans = floats(window);
     let at = |index: usize| {
         let steps = [(index % columns, columns), (index / columns, rows)];
@@ -51,9 +60,9 @@ pub fn decay(pencil: &PlanePencil, window: &Window, [columns, rows]: [usize; 2])
 /// box is kept.
 ///
 /// # Cost
-/// Some thousand samples, with all words of up to eight letters at each.
+/// Some thousand samples, with all words of up to eight letters, or as many shorter ones, at each.
 pub fn slowest(pencil: &PlanePencil, window: &Window, tolerances: &[u32]) -> Vec<[Rational; 2]> {
-    let words = Word::necklaces(pencil.letters(), SOUGHT, pencil.is_mirrored());
+    let words = words(pencil, SOUGHT);
     let growth = |place: Place| fastest(&pencil.at(place), &words).1;
     let spans = floats(window);
     let extents = spans.map(|[low, high]| high - low);
