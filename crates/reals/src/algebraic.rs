@@ -473,4 +473,48 @@ mod tests {
         let negative = real_roots(&poly(&[-2, 0, 1])).remove(0);
         assert_eq!(negative.decimal(6), "-1.41421");
     }
+
+    /// `x = p + q √d`: `(x - p)² = q² d`, and `x - p` has the sign of `q`.
+    #[test]
+    fn quadratic_numbers_satisfy_their_equation() {
+        let numbers = [rational(-3, 2), rational(0, 1), rational(1, 3), rational(2, 1)];
+        for (p, q) in numbers.iter().flat_map(|p| numbers.iter().map(move |q| (p, q))) {
+            for d in [0, 1, 2, 5, 9].map(|d| rational(d, 1)) {
+                let x = RealAlgebraic::quadratic(p, q, &d);
+                let constant = p * p - q * q * &d;
+                let equation = Polynomial::new(vec![constant, p * integer(-2), rational(1, 1)]);
+                assert_eq!(x.sign_of(&equation.cleared().1), Ordering::Equal, "{p} {q} {d}");
+                let expected = (q * &d).compare_to_zero();
+                assert_eq!(x.cmp(&p.clone().into()), expected, "{p} {q} {d}");
+            }
+        }
+    }
+
+    /// Bounds are as near as they are asked to be, and around the number: their squares around 2.
+    #[test]
+    fn enclosures_are_narrow_and_hold_the_number() {
+        let holds = |(lower, upper): &(Rational, Rational)| {
+            let two = rational(2, 1);
+            lower * lower < two && two < upper * upper && lower < upper
+        };
+        for width in [rational(1, 3), rational(1, 1000), rational(1, 1 << 40)] {
+            let bounds = sqrt(2).enclosure(&width);
+            assert!(holds(&bounds) && &bounds.1 - &bounds.0 <= width, "{width}");
+        }
+        let bounds = sqrt(2).simplified().bounds();
+        assert!(holds(&bounds));
+        assert!((&bounds.1 - &bounds.0) * integer(1 << 60) <= bounds.0);
+        assert_eq!(sqrt(2).decimal_enclosure(3), (rational(1414, 1000), rational(1415, 1000)));
+        let negative = real_roots(&poly(&[-2, 0, 1])).remove(0);
+        assert_eq!(negative.decimal_enclosure(3), (rational(-1415, 1000), rational(-1414, 1000)));
+    }
+
+    /// `(x-1)(x²-2)` between 6/5 and 8/5: 1 is a root, and the only integer that the bounds leave, but outside of them.
+    #[test]
+    fn a_rational_root_beside_an_interval_is_another_number() {
+        let polynomial = poly(&[-1, 1]).times(&poly(&[-2, 0, 1])).into();
+        let x = RealAlgebraic::isolated(polynomial, rational(6, 5), rational(8, 5));
+        assert_eq!(x.simplified().as_rational(), None);
+        assert_eq!(x, sqrt(2));
+    }
 }
