@@ -6,7 +6,7 @@ use refinable_scheme::{Scheme, identities};
 use serde_json::{Map, Value, json};
 
 use crate::compare::{Smoothness, in_hulls, scheme_norm};
-use crate::degrees::{condition, solutions};
+use crate::degrees::{INCOMPLETE, condition, solutions};
 use crate::grid::{Cell, Document, Grid};
 use crate::regularity::yes_or_no;
 use crate::shape::Shape;
@@ -39,6 +39,9 @@ pub fn analyze(scheme: &Scheme) -> Document {
             })
             .collect(),
     );
+    if !found.complete {
+        page.line("more degrees", INCOMPLETE.into());
+    }
     page.line("tau", found.tau.to_string());
     page.line("approximation order", (found.generic().reproduction.0 + 1).to_string());
     let smoothness = Smoothness::of(scheme);
@@ -57,7 +60,11 @@ pub fn analyze(scheme: &Scheme) -> Document {
     let at = smoothest.map_or_else(String::new, |at| format!(", {at}"));
     page.line(
         "Hölder exponent",
-        smoothness.holder.map_or_else(String::new, |r| format!("{r}{at}")),
+        match smoothness.holder {
+            Some(exponent) => format!("{exponent}{at}"),
+            None if smoothness.continuity.is_some() => "no bound was found".into(),
+            None => String::new(),
+        },
     );
     page.line(
         "stable shifts",

@@ -1,6 +1,6 @@
 //! `compare`: the table with which papers set schemes side by side.
 
-use refinable_algebra::{Ordered, Rational, decimal};
+use refinable_algebra::{Ordered, Rational};
 use refinable_analysis::{
     ContinuityRange, Degrees, Options, Regularity, Sharpness, classify, default_window, degrees,
     landscape, regularity, smoothest_in,
@@ -11,6 +11,7 @@ use serde_json::{Value, json};
 
 use crate::audit::short;
 use crate::grid::{Cell, Document, Grid};
+use crate::interproximate::floored;
 use crate::regularity::{exact_text, yes_or_no};
 use crate::shape::Shape;
 use crate::sharp::sharp_range;
@@ -126,8 +127,7 @@ pub(crate) type Ranging<'a> = dyn Fn(usize) -> Result<ContinuityRange, Diagnosti
 /// The exact exponent if it is short, else a lower bound.
 fn exponent(found: &Regularity, arity: usize) -> String {
     let exact = exact_text(found, arity).filter(|text| text.len() < 16);
-    let scale = Rational::from_integer(10_000.into());
-    exact.unwrap_or_else(|| format!("≥ {}", decimal(&((&found.lower * &scale).floor() / scale), 8)))
+    exact.unwrap_or_else(|| format!("≥ {}", floored(&found.lower)))
 }
 
 /// The largest value on any stratum.
@@ -210,6 +210,8 @@ pub(crate) struct Row {
     kind: Vec<&'static str>,
     generation: [usize; 2],
     reproduction: [usize; 2],
+    /// Whether the conditions for higher degrees were solved to the end.
+    complete: bool,
     smoothness: Smoothness,
     norm: Option<Rational>,
     hull: Option<bool>,
@@ -231,6 +233,7 @@ impl Row {
             kind: words(&classify(mask)),
             generation: best(|s| s.generation.0),
             reproduction: best(|s| s.reproduction.0),
+            complete: found.complete,
             shape: Shape::of(mask, &smoothness),
             smoothness,
             norm: scheme_norm(mask),
@@ -242,15 +245,16 @@ impl Row {
     pub fn cells(&self) -> Vec<Cell> {
         let yes = |value| yes_or_no(value).unwrap_or_default().to_string();
         let s = &self.smoothness;
+        let at_least = if self.complete { "" } else { "≥ " };
         let shape = |text: fn(&Shape) -> String| self.shape.as_ref().map(text).unwrap_or_default();
         let texts = [
             self.width.clone(),
             self.parameters.join(", "),
             self.kind.join(", "),
             self.generation[0].to_string(),
-            self.generation[1].to_string(),
+            format!("{at_least}{}", self.generation[1]),
             self.reproduction[0].to_string(),
-            self.reproduction[1].to_string(),
+            format!("{at_least}{}", self.reproduction[1]),
             (self.reproduction[0] + 1).to_string(),
             s.continuity
                 .map_or_else(|| s.problem.clone().unwrap_or("none".into()), |n| format!("C^{n}")),
@@ -277,6 +281,7 @@ impl Row {
             "type": self.kind,
             "generation": {"all": self.generation[0], "best": self.generation[1]},
             "reproduction": {"all": self.reproduction[0], "best": self.reproduction[1]},
+            "degrees_complete": self.complete,
             "approximation_order": self.reproduction[0] + 1,
             "continuity": s.continuity,
             "where": s.exact_place,

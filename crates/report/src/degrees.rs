@@ -44,7 +44,7 @@ pub fn degree_table(scheme: &Scheme) -> Document {
     Document { grids: vec![grid], summary: None, json }
 }
 
-const INCOMPLETE: &str = "incomplete: the conditions have too many parameters, or too high a degree, to be solved to the end";
+pub(crate) const INCOMPLETE: &str = "incomplete: the conditions have too many parameters, or too high a degree, to be solved to the end";
 
 /// `generic`, an equation, or the coordinates of a point.
 pub fn condition(locus: &Component) -> String {

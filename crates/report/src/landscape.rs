@@ -10,6 +10,7 @@ use serde_json::{Value, json};
 
 use crate::frame::{Frame, HEIGHT, LEFT, TOP, WIDTH};
 use crate::grid::{Cell, Document, Grid};
+use crate::interproximate::floored;
 use crate::map::{coordinates, parse_window};
 use crate::number::rational_number;
 use crate::regularity::{bounds_text, exact_text, outward};
@@ -143,7 +144,7 @@ impl HolderMap {
         let summits = self.landscape.summits.iter().enumerate().map(|(k, summit)| {
             let (lower, upper) = outward(&summit.regularity);
             let dots = if Some(&lower) == upper.as_ref() { "" } else { "…" };
-            let value = decimal(&lower, 4);
+            let value = floored(&lower);
             format!("{}: {value}{dots}{}", letter(k), where_text(&summit.locus))
         });
         let lines = std::iter::once("contours: ¼ thin, 1 thick".to_string()).chain(summits);
