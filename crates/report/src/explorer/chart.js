@@ -367,6 +367,8 @@ function legendEntries() {
     return [[`shade-${shadeOf(k, orders.length)}`, `${order(one.continuity)} proved${where}`]];
   });
   entries.push(["undecided", "undecided"], ["refuted", "refuted"]);
+  const hasPoles = ranges.some((range) => range.intervals.some(({ verdict }) => verdict === "undefined"));
+  if (hasPoles) entries.push(["pole", "a pole: no mask"]);
   if (smoothness.kind === "plane" && strata.some((s) => s.vanishes)) entries.push(["stratum", "a degree rises"]);
   return entries;
 }
