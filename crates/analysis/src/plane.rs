@@ -17,6 +17,8 @@ use crate::line::letters;
 const PARTS: i64 = 16;
 /// Special masks that are looked at one by one.
 const FEW: usize = 4;
+/// The highest degree of masks of which special ones are sought.
+const SOUGHT: u32 = 12;
 
 /// Where a higher power of `σ` divides the symbol.
 #[derive(Clone, PartialEq, Eq)]
@@ -241,6 +243,9 @@ impl Plane {
     /// found, if they are few.
     pub(crate) fn special(&self, order: usize, window: &Window) -> Vec<Special> {
         let conditions = self.divisibility(order);
+        if self.degree() > SOUGHT {
+            return Vec::new();
+        }
         if !self.is_affine() {
             let mut masks = Vec::new();
             let mut points = common_points(&conditions, window);
@@ -251,7 +256,9 @@ impl Plane {
                 masks.extend(mask.filter(|_| is_new));
                 is_new
             });
-            points.truncate(if points.len() <= FEW { FEW } else { 0 });
+            if points.len() > FEW {
+                return Vec::new();
+            }
             return points.into_iter().map(Special::Mask).collect();
         }
         let Some((origin, direction)) = common_line(&conditions) else { return Vec::new() };

@@ -18,7 +18,7 @@ pub(crate) fn is_generic(
     work: &mut Work,
 ) -> Check<bool> {
     let contrasts = (0..scheme.arity - 1).map(|j| scheme.contrast(j, point)).collect();
-    are_clear(scheme, contrasts, point, work)
+    exclude_instability(scheme, contrasts, point, work)
 }
 
 /// Whether the shifts are stable at one point: likewise, but `z = 1`, a zero where the order rises, does no harm.
@@ -33,10 +33,11 @@ pub(crate) fn is_stable(
         let [rest, _] = without_zeros_at_one([values, zeros]);
         rest
     };
-    are_clear(scheme, (0..scheme.arity - 1).map(contrast).collect(), point, work)
+    exclude_instability(scheme, (0..scheme.arity - 1).map(contrast).collect(), point, work)
 }
 
-fn are_clear(
+/// Whether resultants of the submasks and of these contrasts show that the shifts are stable.
+fn exclude_instability(
     scheme: &PlaneScheme,
     contrasts: Vec<Vec<Integer>>,
     point: &[Rational; 2],
