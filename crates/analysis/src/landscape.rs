@@ -9,7 +9,7 @@ use refinable_spectral::{Options, PlanePencil, Window, decay, slowest};
 use crate::budget::expect_readable_words;
 use crate::line::{Line, letters};
 use crate::map::divisible_plane;
-use crate::plane::{Plane, Special};
+use crate::plane::{Plane, Special, contains};
 use crate::regularity::{Regularity, regularity};
 
 /// The Hölder exponents of a family in a box.
@@ -137,10 +137,6 @@ fn special_places(plane: &Plane, window: &Window) -> Vec<(Locus, Vec<[Rational; 
         }
     }
     found
-}
-
-fn contains(window: &Window, parameters: &[Rational; 2]) -> bool {
-    window.iter().zip(parameters).all(|([low, high], x)| low <= x && x <= high)
 }
 
 /// Places at which words grow least, for each part of a line that is in the box.

@@ -286,8 +286,7 @@ impl Plane {
             [0, 1].map(|i| &origin[i] + &direction[i] * &t)
         });
         let is_inside = |point: &[Rational; 2]| {
-            let parameters = self.parameters_at(point);
-            parameters.is_some_and(|p| p.iter().zip(window).all(|(x, [a, b])| a <= x && x <= b))
+            self.parameters_at(point).is_some_and(|parameters| contains(window, &parameters))
         };
         points.filter(is_inside).min_by_key(|[x, y]| x.to_string().len() + y.to_string().len())
     }
@@ -382,6 +381,11 @@ fn chart(parts: &Parts) -> Option<(Polynomial<Rational>, Parts)> {
     }
     plane.insert((0, 1), product.scaled(&scale));
     Some((factor, plane))
+}
+
+/// Whether parameters are in a box, its ends included.
+pub(crate) fn contains(window: &Window, parameters: &[Rational; 2]) -> bool {
+    window.iter().zip(parameters).all(|([low, high], x)| low <= x && x <= high)
 }
 
 /// Points of a box at which polynomials in `x` and `y` vanish together: those on lines through it of one coordinate.

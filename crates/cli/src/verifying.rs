@@ -108,7 +108,7 @@ mod tests {
                 "{stated}"
             );
         }
-        // t = s²/s: the place 5 is s = 5, and s = 0 is a pole of what is given.
+        // t = s²/s is s.
         let reducible = r#"{"numerator":["0","0","1"],"denominator":["0","1"]}"#;
         assert!(verdict(reducible, r#""5""#).contains("refuted on s = 5"));
     }

@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use crate::support::{
-    accept, certificate, constant_family, family, four_point, nothing, refuse, smooth,
+    accept, certificate, constant_family, four_point, nothing, refuse, smooth, ternary_hat,
 };
 
 #[test]
@@ -51,19 +51,7 @@ fn families_that_are_none() {
 #[test]
 fn ternary_schemes() {
     // (1+z+z²)²/3: the hat function. c = 1, and for a parameter: c = t + (1-2t) z + t z².
-    let mut family = family(
-        &[
-            ["0", "1/3"],
-            ["1/3", "0"],
-            ["2/3", "0"],
-            ["1", "-2/3"],
-            ["2/3", "0"],
-            ["1/3", "0"],
-            ["0", "1/3"],
-        ],
-        2,
-    );
-    family["arity"] = json!(3);
+    let family = ternary_hat();
     // d = 1, ρ = max(|t|, |1-2t|): less than three, so continuous, for -1 < t < 2.
     let norm = json!([{"kind": "norm", "level": 1, "from": "-99/100", "to": "199/100"}]);
     accept(&certificate(&family, &smooth(0, &[["-9/10", "19/10"]]), &norm));

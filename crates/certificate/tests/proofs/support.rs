@@ -104,6 +104,24 @@ pub fn power_of_sum(order: usize) -> Vec<i64> {
     (0..order).fold(vec![1], |p, _| product(&p, &[1, 1]))
 }
 
+/// `(1+z+z²)²/3 · c` for arity 3 with `c = t + (1-2t) z + t z²`: the hat function times three coefficients.
+pub fn ternary_hat() -> Value {
+    let mut family = family(
+        &[
+            ["0", "1/3"],
+            ["1/3", "0"],
+            ["2/3", "0"],
+            ["1", "-2/3"],
+            ["2/3", "0"],
+            ["1/3", "0"],
+            ["0", "1/3"],
+        ],
+        2,
+    );
+    family["arity"] = json!(3);
+    family
+}
+
 /// The mask `[t, 1/2, 1-2t, 1/2, t]`: the cubic spline at 1/8, `(1+z)(1+z³)/2` at 1/2.
 pub fn cubic_like() -> Value {
     family(&[["0", "1"], ["1/2", "0"], ["1", "-2"], ["1/2", "0"], ["0", "1"]], 2)
