@@ -97,4 +97,23 @@ mod tests {
         assert_eq!(even_orders(4, work).unwrap(), [2, 4, 6, 8, 10, 12]);
         assert_eq!(even_orders(0, work).unwrap(), [0; 0]);
     }
+
+    /// Against `φ(r)` by counting: no order is too large to be looked at, 105 with `φ = 48` and 30 with `φ = 8` among
+    /// them.
+    #[test]
+    fn all_orders_of_small_degree_are_found() {
+        let totient = |r: usize| (1..=r).filter(|k| greatest_common(*k, r) == 1).count();
+        let work = &mut Work::new();
+        for bound in [1, 2, 8, 48] {
+            let all = |first: usize| -> Vec<usize> {
+                (first..2 * bound * bound + 9).step_by(2).filter(|&r| totient(r) <= bound).collect()
+            };
+            assert_eq!(odd_orders(bound, work).unwrap(), all(3), "{bound}");
+            assert_eq!(even_orders(bound, work).unwrap(), all(2), "{bound}");
+        }
+    }
+
+    fn greatest_common(a: usize, b: usize) -> usize {
+        if b == 0 { a } else { greatest_common(b, a % b) }
+    }
 }

@@ -137,3 +137,64 @@ impl Lift {
         Polynomial::new(centred.collect())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn polynomial(coefficients: &[i64]) -> Polynomial<Integer> {
+        Polynomial::new(coefficients.iter().map(|&c| integer(c)).collect())
+    }
+
+    /// `x + c`.
+    fn line(c: Integer) -> Polynomial<Integer> {
+        Polynomial::new(vec![c, integer(1)])
+    }
+
+    fn gcd(a: &Polynomial<Integer>, b: &Polynomial<Integer>) -> Polynomial<Integer> {
+        greatest_common_divisor(a, b, &mut Work::new()).unwrap()
+    }
+
+    /// Products with a common factor that no single prime holds, of either sign.
+    #[test]
+    fn coefficients_longer_than_several_primes() {
+        let long = |bits: usize| integer(1) << bits;
+        let common = Polynomial::new(vec![
+            long(200) + integer(3),
+            -long(150),
+            integer(0),
+            long(70) + integer(1),
+        ]);
+        let [a, b] = [[1, 0, 7], [5, -2, 3]].map(|c| common.times(&polynomial(&c)));
+        assert_eq!(gcd(&a, &b), common);
+        assert_eq!(gcd(&a.times(&polynomial(&[-6])), &b.times(&polynomial(&[10]))), common);
+        assert_eq!(gcd(&a, &polynomial(&[5, -2, 3])), polynomial(&[1]));
+    }
+
+    /// `x + p` and `x` are the same modulo `p`: the first or the second prime sees too much.
+    #[test]
+    fn primes_modulo_which_the_gcd_is_larger() {
+        let primes: Vec<u64> = Primes::below_power_of_two().take(3).collect();
+        let x = line(integer(0));
+        for common in [polynomial(&[1, 1]), line((integer(1) << 150) - integer(1))] {
+            for chosen in [vec![0], vec![1], vec![2], vec![0, 1], vec![0, 2]] {
+                let product: Integer = chosen.iter().map(|&k| Integer::from(primes[k])).product();
+                let [a, b] = [&x, &line(product)].map(|factor| common.times(factor));
+                assert_eq!(gcd(&a, &b), common, "{chosen:?}");
+            }
+        }
+        // Both leading coefficients vanish modulo the first prime.
+        let lead = |c: i64| Polynomial::new(vec![integer(c), Integer::from(primes[0])]);
+        assert_eq!(gcd(&lead(1).times(&x), &lead(1).times(&lead(2))), lead(1));
+        assert_eq!(gcd(&lead(1), &lead(2)), polynomial(&[1]));
+    }
+
+    #[test]
+    fn square_free_parts() {
+        let work = &mut Work::new();
+        let [a, b] = [polynomial(&[-1, 3]), polynomial(&[2, 0, 1])];
+        let product = a.power(3).times(&b.power(2)).times(&polynomial(&[-4]));
+        assert_eq!(square_free_part(&product, work), Ok(a.times(&b)));
+        assert_eq!(square_free_part(&a.times(&polynomial(&[-2])), work), Ok(a));
+    }
+}

@@ -164,3 +164,69 @@ pub(crate) fn sorted(points: &[Real], work: &mut Work) -> Check<Vec<Real>> {
     }
     Ok(sorted)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use refinable_algebra::{integer, rational};
+
+    /// The cuts below, at and above 0, 1 and 2, in ascending order.
+    fn cuts() -> Vec<Cut> {
+        let at = |n: i64| Real::Rational(Rational::from(integer(n)));
+        let finite = (0..3).flat_map(|n| [Cut::Before(at(n)), Cut::After(at(n))]);
+        [Cut::Lowest].into_iter().chain(finite).chain([Cut::Highest]).collect()
+    }
+
+    /// Between the cuts `i < j` of the list lie the cells `i` to `j - 1`: with the numbers of [`samples`] in them.
+    fn spans() -> Vec<(Span, std::ops::Range<usize>)> {
+        let pairs = (0..8).flat_map(|i| (i + 1..8).map(move |j| (i, j)));
+        let span =
+            |(i, j): (usize, usize)| Span { low: cuts()[i].clone(), high: cuts()[j].clone() };
+        pairs.map(|(i, j)| (span((i, j)), i..j)).collect()
+    }
+
+    /// A number of each cell.
+    fn samples() -> Vec<Rational> {
+        (-1..6).map(|k| rational(k, 2)).collect()
+    }
+
+    #[test]
+    fn spans_are_sets_of_cells() {
+        let (spans, work) = (spans(), &mut Work::new());
+        for (span, cells) in &spans {
+            for (cell, x) in samples().iter().enumerate() {
+                assert_eq!(span.contains(x, work), Ok(cells.contains(&cell)), "{span:?} {x}");
+            }
+            for (a, in_a) in &spans {
+                for (b, in_b) in &spans {
+                    let covered = cells.clone().all(|k| in_a.contains(&k) || in_b.contains(&k));
+                    let both = [a.clone(), b.clone()];
+                    assert_eq!(span.is_covered_by(&both, work), Ok(covered), "{span:?} {both:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn an_interval_without_numbers_is_none() {
+        let (cuts, work) = (cuts(), &mut Work::new());
+        for (i, j) in (0..8).flat_map(|i| (0..8).map(move |j| (i, j))) {
+            assert_eq!(Span::new(cuts[i].clone(), cuts[j].clone(), work).is_ok(), i < j);
+        }
+    }
+
+    #[test]
+    fn numbers_are_sorted_and_counted_once() {
+        let work = &mut Work::new();
+        let at = |n: i64| Real::Rational(Rational::from(integer(n)));
+        let sorted = sorted(&[3, 1, 2, 3, -4, 1].map(at), work).unwrap();
+        let numbers: Vec<_> = sorted.iter().map(|x| x.as_rational().cloned()).collect();
+        assert_eq!(numbers, [-4, 1, 2, 3].map(|n| Some(Rational::from(integer(n)))));
+        let parts = Span::complement(&[1, 0, 1].map(at), work).unwrap();
+        let inside = |x: &Rational| {
+            parts.iter().filter(|part| part.contains(x, &mut Work::new()) == Ok(true)).count()
+        };
+        let counts: Vec<usize> = samples().iter().map(inside).collect();
+        assert_eq!(counts, [1, 0, 1, 0, 1, 1, 1]);
+    }
+}

@@ -169,4 +169,23 @@ mod tests {
         let first: Vec<u64> = Primes::below_power_of_two().take(2).collect();
         assert_eq!(first, [(1 << 62) - 57, (1 << 62) - 87]);
     }
+
+    #[test]
+    fn primes_are_told_from_what_looks_like_them() {
+        let primes = (2..200).filter(|&n| is_prime(n)).count();
+        assert_eq!(primes, 46); // π(200)
+        // Chernick's Carmichael number 211 · 421 · 631, and 2^61 - 1, a Mersenne prime.
+        assert!(!is_prime(211 * 421 * 631) && is_prime((1 << 61) - 1));
+    }
+
+    #[test]
+    fn arithmetic_in_the_field() {
+        let p = (1 << 62) - 57;
+        let field = Image { p, coefficients: Vec::new() };
+        for a in [1, 2, 3, 1 << 40, p - 1] {
+            assert_eq!(field.times(a, field.inverse(a)), 1);
+            assert_eq!(field.minus(field.minus(5, a), 5), p - a);
+        }
+        assert_eq!([residue(&Integer::from(-1), p), residue(&Integer::from(p), p)], [p - 1, 0]);
+    }
 }

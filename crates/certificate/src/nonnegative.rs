@@ -60,3 +60,26 @@ fn is_nonnegative(p: &Polynomial<Integer>, one: &Rational, work: &mut Work) -> C
     }
     Ok(true)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn holds(coefficients: &[i64]) -> bool {
+        let p = Polynomial::new(coefficients.iter().map(|&c| integer(c)).collect());
+        is_nonnegative(&p, &Rational::from(integer(1)), &mut Work::new()).unwrap()
+    }
+
+    /// Negative near an end, in the middle, everywhere, and nowhere but outside of `[-1, 1]`.
+    #[test]
+    fn all_of_the_interval_counts() {
+        assert!([&[1, 2][..], &[1, -2], &[-1, 0, 4], &[-1], &[]].iter().all(|p| !holds(p)));
+        assert!(
+            [&[1, 1][..], &[1, -1], &[3, -2], &[1], &[0, 0, 1], &[1, 0, -1]]
+                .iter()
+                .all(|p| holds(p))
+        );
+        // (2x - 1)², twice the same root, and (2x - 1)³.
+        assert!(holds(&[1, -4, 4]) && !holds(&[-1, 6, -12, 8]));
+    }
+}

@@ -185,4 +185,22 @@ mod tests {
             assert_eq!(value(&left_half(&form), u, v), value(&form, 2 * u + v, v));
         }
     }
+
+    /// A row is left out only if the row of its mirror images is looked at.
+    #[test]
+    fn rows_are_left_out_for_their_mirror_images_only() {
+        let bound = [integer(100)];
+        for (length, stride) in (1..9).flat_map(|length| (1..10).map(move |s| (length, s))) {
+            for place in 0..length {
+                let large = |k: usize| k == place || k == length - 1 - place;
+                let power: Vec<Form> =
+                    (0..length).map(|k| vec![integer(if large(k) { 100 } else { 1 })]).collect();
+                let work = &mut Work::new();
+                assert!(check_rows(&power, stride, true, &bound, work).is_err());
+                assert!(check_rows(&power, stride, false, &bound, work).is_err());
+            }
+            let ones = vec![vec![integer(1)]; length];
+            assert_eq!(check_rows(&ones, stride, true, &bound, &mut Work::new()), Ok(()));
+        }
+    }
 }

@@ -84,3 +84,32 @@ fn shortened(message: &str) -> String {
         None => message.into(),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What stands in strings is no structure, and what separates ends a token.
+    #[test]
+    fn only_structure_outside_of_strings_counts() {
+        let deep = "[".repeat(limits::DEPTH + 1);
+        for text in [
+            format!("{{\"a\": \"{deep}\"}}"),
+            format!("\"\\\"{deep}\""),
+            format!("\"\\\\\" , \"{deep}\""),
+        ] {
+            assert_eq!(scan(text.as_bytes()), Ok(()), "{text}");
+        }
+        for text in [deep.clone(), format!("\"\\\\\" , {deep}"), format!("\"\\\"\" : {deep}")] {
+            assert!(scan(text.as_bytes()).is_err(), "{text}");
+        }
+        assert_eq!(scan(deep[1..].as_bytes()), Ok(()));
+        let long = "7".repeat(limits::TOKEN);
+        assert_eq!(scan(long.as_bytes()), Ok(()));
+        assert!(scan(format!("{long}7").as_bytes()).is_err());
+        assert!(scan(format!("\"{long}\"").as_bytes()).is_err());
+        let spread: String = "12: \t\r\n\"x\", ".repeat(limits::TOKEN);
+        assert_eq!(scan(spread.as_bytes()), Ok(()));
+        assert_eq!(scan(" ".repeat(2 * limits::TOKEN).as_bytes()), Ok(()));
+    }
+}

@@ -285,3 +285,89 @@ impl Real {
         Ok(self.compare(&candidate, work)?.is_eq())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::Root;
+    use crate::number::Number;
+    use refinable_algebra::rational;
+
+    /// The root between two numbers of a polynomial with integer coefficients.
+    fn root(coefficients: &[i64], between: [Rational; 2]) -> Real {
+        let root_of = coefficients.iter().map(|&c| Number(rational(c, 1))).collect();
+        let root = Root { root_of, between: between.map(Number) };
+        Real::new(&End::Algebraic(root), &mut Work::new()).unwrap()
+    }
+
+    fn sqrt(n: i64) -> Real {
+        root(&[-n, 0, 1], [rational(0, 1), rational(n, 1)])
+    }
+
+    /// `(3x - 1)(x² - 2)`, `(5000x - 4999)(x² - x - 1)` and both without their rational roots.
+    #[test]
+    fn rational_roots_are_recognised() {
+        let work = &mut Work::new();
+        let product = [2, -6, -1, 3];
+        let other = [4999, -1, -9999, 5000];
+        for x in [
+            root(&product, [rational(0, 1), rational(1, 1)]),
+            root(&product, [rational(-1, 1), rational(1, 2)]),
+            root(&other, [rational(0, 1), rational(3, 2)]),
+            root(&[-7, 2], [rational(0, 1), rational(9, 1)]),
+            Real::Rational(rational(5, 7)),
+        ] {
+            assert_eq!(x.is_rational(work), Ok(true), "{x:?}");
+        }
+        for x in [
+            root(&product, [rational(1, 1), rational(2, 1)]),
+            root(&product, [rational(-2, 1), rational(-1, 1)]),
+            root(&other, [rational(3, 2), rational(2, 1)]),
+            sqrt(2),
+        ] {
+            assert_eq!(x.is_rational(work), Ok(false), "{x:?}");
+        }
+    }
+
+    /// Numbers given by their squares, and the same again as roots of products.
+    #[test]
+    fn the_order_is_that_of_the_squares() {
+        let work = &mut Work::new();
+        // (x² - 2)(x² - 3)(x - 7)
+        let product = [-42, 6, 35, -5, -7, 1];
+        let numbers = [
+            (1, Real::Rational(rational(1, 1))),
+            (2, sqrt(2)),
+            (2, root(&product, [rational(1, 1), rational(3, 2)])),
+            (3, root(&product, [rational(3, 2), rational(2, 1)])),
+            (3, sqrt(3)),
+            (4, root(&[-2, 1], [rational(0, 1), rational(5, 1)])),
+            (49, root(&product, [rational(2, 1), rational(9, 1)])),
+        ];
+        for (square, x) in &numbers {
+            for (other, y) in &numbers {
+                assert_eq!(x.compare(y, work), Ok(square.cmp(other)), "{x:?} {y:?}");
+                if square < other {
+                    let x = between(Some(x), Some(y), work).unwrap();
+                    let (square, other) = (rational(*square, 1), rational(*other, 1));
+                    assert!(square < &x * &x && &x * &x < other, "{x}");
+                }
+            }
+            let (above, below) = (between(Some(x), None, work), between(None, Some(x), work));
+            let [above, below] = [above, below].map(|x| Real::Rational(x.unwrap()));
+            assert_eq!(x.compare(&above, work), Ok(Ordering::Less));
+            assert_eq!(x.compare(&below, work), Ok(Ordering::Greater));
+        }
+    }
+
+    #[test]
+    fn enclosures_are_narrow_and_hold_the_number() {
+        let work = &mut Work::new();
+        let two = rational(2, 1);
+        for bits in [0, 1, 7, 100, 500] {
+            let (lower, upper) = sqrt(2).enclosure(bits, work).unwrap();
+            assert!(&lower * &lower < two && &upper * &upper > two, "{bits}");
+            assert!((upper - lower) * (integer(1) << bits) <= two, "{bits}");
+        }
+    }
+}

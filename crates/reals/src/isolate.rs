@@ -205,4 +205,38 @@ mod tests {
         let p = poly(&[-1, big]).times(&poly(&[-2, big])).times(&poly(&[-2, 0, 1]));
         assert_eq!(real_roots(&p).len(), 4);
     }
+
+    #[test]
+    fn intervals_leave_out_the_ends_of_lines_and_what_is_empty() {
+        let [one, two, three] = [1, 2, 3].map(|n| rational(n, 1));
+        let line = poly(&[-2, 1]);
+        assert_eq!(real_roots_between(&line, &one, &three), [two.clone().into()]);
+        let roots_of = |p: &[i64], lower, upper| real_roots_between(&poly(p), lower, upper).len();
+        assert_eq!([roots_of(&[-2, 1], &one, &two), roots_of(&[-2, 1], &two, &three)], [0, 0]);
+        assert_eq!([roots_of(&[-2, 1], &three, &one), roots_of(&[-4, 0, 1], &three, &one)], [0, 0]);
+        assert_eq!([roots_of(&[-4, 0, 1], &two, &two), roots_of(&[5], &one, &three)], [0, 0]);
+    }
+
+    /// `x² - 2` and `(x - 1)(x² - 2)` vanish at `±√2`, and the roots of zero are not listed.
+    #[test]
+    fn common_roots_are_those_of_all() {
+        let square = poly(&[-2, 0, 1]);
+        let product = square.times(&poly(&[-1, 1]));
+        assert_eq!(common_roots(&[product.clone(), square.clone()]), real_roots(&square));
+        assert_eq!(common_roots(&[poly(&[]), square.clone()]), real_roots(&square));
+        let simple = simple_roots(&product);
+        assert_eq!(simple[1].as_rational(), Some(&rational(1, 1)));
+        assert!(simple_roots(&poly(&[])).is_empty());
+    }
+
+    /// By hand from Fujiwara's bound with bit lengths: `1000 x² - 3 x + 70` has `⌊(2 - 10 + 1)/1⌋ = -7` and
+    /// `⌊(7 - 10 + 1)/2⌋ = -1`, which counts, and two are added.
+    #[test]
+    fn bounds_of_roots_come_from_bit_lengths() {
+        assert_eq!(root_bound_exponent(&poly(&[70, -3, 1000])), 1);
+        assert_eq!(root_bound_exponent(&poly(&[-1000, 1])), 12);
+        assert_eq!(root_bound_exponent(&poly(&[1, 0, 0, -1 << 20])), -5);
+        assert_eq!(root_bound_exponent(&poly(&[5])), 1);
+        assert_eq!([-3, 0, 3].map(power_of_two), [rational(1, 8), rational(1, 1), rational(8, 1)]);
+    }
 }

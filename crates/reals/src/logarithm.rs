@@ -87,7 +87,7 @@ fn digits(mut m: Integer, bits: u32, precision: usize, up: bool) -> Rational {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use refinable_algebra::{decimal, rational};
+    use refinable_algebra::{Ordered, decimal, rational};
 
     #[test]
     fn known_logarithms() {
@@ -104,6 +104,31 @@ mod tests {
         for x in [rational(2, 9), rational(6, 1), rational(1, 6)] {
             let (lower, upper) = logarithm(&x, 3, 50);
             assert!(lower < upper && upper - lower < rational(1, 1 << 40), "{x}");
+        }
+    }
+
+    /// Whether `log_base(x) ≥ p/q`, by powers: `x^q ≥ base^p`.
+    fn is_at_least(x: &Rational, base: usize, p: &Integer, q: u32) -> bool {
+        let base = Rational::from_i64(base as i64);
+        let power = base.power(u32::try_from(p.absolute()).unwrap());
+        let power = if *p < integer(0) { Rational::one() / power } else { power };
+        x.power(q) >= power
+    }
+
+    /// Bounds rounded outwards to fractions of `2^13` hold the logarithm still, and are as close as they were.
+    #[test]
+    fn powers_prove_the_bounds() {
+        let q = 1 << 13;
+        let numbers = [(3, 2), (9, 8), (2, 9), (6, 1), (1, 6), (1001, 1), (1, 1001), (1023, 1024)];
+        for (x, base) in numbers.iter().flat_map(|&(p, q)| [2, 3, 10].map(|b| (rational(p, q), b)))
+        {
+            for bits in [0, 3] {
+                let (lower, upper) = logarithm(&x, base, bits);
+                assert!(&upper - &lower <= rational(1, 1 << bits), "{x} {base} {bits}");
+                let [below, above] = [(lower * integer(q)).floor(), (upper * integer(q)).ceil()];
+                assert!(is_at_least(&x, base, below.numer(), q as u32), "{x} {base} {bits}");
+                assert!(!is_at_least(&x, base, above.numer(), q as u32), "{x} {base} {bits}");
+            }
         }
     }
 }

@@ -47,6 +47,16 @@ fn every_truncation_is_unreadable() {
     }
 }
 
+/// What was not read from a file is looked at in the same way.
+#[test]
+fn other_formats_and_versions_are_not_checked() {
+    let valid = Certificate::read(FOUR_POINT.as_bytes()).unwrap();
+    let refused = |certificate: &Certificate| verify(certificate).unwrap_err().to_string();
+    let version = Certificate { version: 2, ..valid.clone() };
+    let format = Certificate { format: "refinable-map-certificate".into(), ..valid };
+    assert!([version, format].iter().all(|changed| refused(changed).contains("format or version")));
+}
+
 #[test]
 fn bytes_of_any_kind() {
     for bytes in [&b""[..], b"\xff\xfe", b"null", b"[]", b"{}", b"\"", b"{\"format\":", b"1e999999"]

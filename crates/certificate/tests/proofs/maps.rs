@@ -61,6 +61,18 @@ fn what_is_not_a_map_is_unreadable() {
     assert!(!MapCertificate::is_meant(named.to_string().as_bytes()));
 }
 
+#[test]
+fn other_formats_and_versions_are_not_checked() {
+    let valid = MapCertificate::read(map().to_string().as_bytes()).unwrap();
+    assert_eq!(MapCertificate::read(valid.to_json().as_bytes()), Ok(valid.clone()));
+    let version = MapCertificate { version: 2, ..valid.clone() };
+    let format = MapCertificate { format: "refinable-certificate".into(), ..valid };
+    for changed in [version, format] {
+        let refused = verify_map(&changed).unwrap_err().to_string();
+        assert!(refused.contains("format or version"), "{refused}");
+    }
+}
+
 /// A change at a place, and what is said of it.
 #[test]
 fn hostile_parts() {
