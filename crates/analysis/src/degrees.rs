@@ -380,4 +380,15 @@ mod tests {
         assert_eq!(found, [(1, 1), (3, 1), (3, 3), (5, 1)]);
         assert!(degrees.complete);
     }
+
+    /// The degree of `(1+z)²/2 + f (1-z²)(3+z)` rises where `f = 0`, and no further. Whether there are real zeros is
+    /// not asked in three parameters, unless the degree in one of them is odd.
+    #[test]
+    fn surfaces_that_may_have_no_real_point_are_not_called_complete() {
+        for (f, complete) in [("a^2+b^2+c^2+1", false), ("a^3+b^2+c^2+1", true)] {
+            let degrees = of(&format!("1/2*(1+z)^2 + ({f})*(1-z^2)*(3+z)"), 2);
+            let found: Vec<_> = degrees.strata.iter().map(|s| s.generation.0).collect();
+            assert_eq!((found, degrees.complete), (vec![0, 1], complete), "{f}");
+        }
+    }
 }

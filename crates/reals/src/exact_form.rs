@@ -1,8 +1,7 @@
 //! How an exact real number is written down.
 
 use refinable_algebra::{
-    Domain, Integer, Ordered, Polynomial, Rational, Ring, SquareFree, integer, integer_square_root,
-    rational,
+    Domain, Integer, Ordered, Polynomial, Rational, Ring, SquareFree, integer, rational,
 };
 
 use crate::algebraic::RealAlgebraic;
@@ -169,7 +168,7 @@ fn radical(factor: &Polynomial<Integer>, x: &RealAlgebraic) -> Radical {
     }
 }
 
-/// `n = k² d` with the squares of primes below 1000, and `d` if it is a square, taken out.
+/// `n = k² d` with the squares of primes below 1000 taken out.
 fn split_square(n: Integer) -> (Integer, Integer) {
     let (mut outside, mut inside) = (integer(1), n);
     for k in 2..1000 {
@@ -179,8 +178,7 @@ fn split_square(n: Integer) -> (Integer, Integer) {
             inside = quotient;
         }
     }
-    let root = integer_square_root(&inside);
-    if &root * &root == inside { (outside * root, integer(1)) } else { (outside, inside) }
+    (outside, inside)
 }
 
 #[cfg(test)]
@@ -221,5 +219,16 @@ mod tests {
     fn irreducible_quartics_stay_roots() {
         // (x²-5)² - 24 = x⁴ - 10x² + 1, roots ±√2±√3
         assert_eq!(forms(&[1, 0, -10, 0, 1])[3], "root(t^4 - 10*t^2 + 1, 4)");
+    }
+
+    /// `(t³ - 2)((t - 1000)² - 2)`: the product of two near roots is enclosed less closely than their sum.
+    #[test]
+    fn a_quadratic_factor_with_large_roots() {
+        let square = poly(&[999_998, -2000, 1]);
+        let forms: Vec<String> = real_roots(&square.times(&poly(&[-2, 0, 0, 1])))
+            .iter()
+            .map(|x| x.exact_form().display("t"))
+            .collect();
+        assert_eq!(forms[1..], ["1000-sqrt(2)", "1000+sqrt(2)"]);
     }
 }

@@ -163,4 +163,13 @@ mod tests {
         assert_eq!(point.sign_of(&x.times(&y).minus(&c)), Ordering::Greater);
         assert_eq!(point.sign_of(&x.minus(&y)), Ordering::Less);
     }
+
+    #[test]
+    fn roots_that_are_not_zero_keep_their_distance() {
+        // x² (2 - 3x) and x (x² - 2^40).
+        let gap = |c: &[i64]| root_gap(&Polynomial::new(c.iter().map(|&c| integer(c)).collect()));
+        assert_eq!(gap(&[0, 0, 2, -3]), refinable_algebra::rational(2, 5));
+        assert_eq!(gap(&[0, -1 << 40, 0, 1]), refinable_algebra::rational(1, 2));
+        assert_eq!(gap(&[1, -1]), refinable_algebra::rational(1, 2));
+    }
 }

@@ -359,4 +359,24 @@ mod tests {
         assert_eq!(open(1, 1), Region::empty());
         assert_eq!(open(0, 1).intersection(&open(1, 2)), Region::empty());
     }
+
+    #[test]
+    fn lists_of_cuts_that_are_none() {
+        let at = |n: i64, side| Cut::At(rational(n, 1).into(), side);
+        let holds = |cuts: &[Cut]| Region { cuts: cuts.to_vec() }.check_invariants();
+        let [before, after, next] = [at(0, Side::Before), at(0, Side::After), at(1, Side::Before)];
+        assert!(holds(&[]) && holds(&[before.clone(), after.clone()]));
+        assert!(holds(&[Cut::Start, before.clone(), after.clone(), next.clone()]));
+        assert!(!holds(std::slice::from_ref(&before)) && !holds(&[next.clone(), after.clone()]));
+        assert!(!holds(&[after.clone(), after.clone()]));
+        assert!(!holds(&[Cut::Start, before, next, after]));
+        let zero = || RealAlgebraic::from(rational(0, 1));
+        for (lower, upper) in [
+            (Bound::Open(zero()), Bound::Closed(zero())),
+            (Bound::Closed(zero()), Bound::Open(zero())),
+        ] {
+            assert_eq!(Region::interval(lower, upper), Region::empty());
+        }
+        assert_eq!(format!("{:?}", open(0, 1).union(&point(3))), "(0, 1) ∪ {3}");
+    }
 }

@@ -135,4 +135,12 @@ mod tests {
             unit /= integer(16);
         }
     }
+
+    #[test]
+    fn degrees_beyond_the_room_are_refused() {
+        let p = Polynomial::new([1, 1].map(integer).to_vec());
+        let made = |degree| RoundedBernstein::around_zero(&[&p], degree, 0, false).is_some();
+        assert!(made(1) && made(LARGEST_DEGREE));
+        assert!(!made(LARGEST_DEGREE + 1) && !made(LARGEST_DEGREE + 7));
+    }
 }

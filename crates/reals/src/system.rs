@@ -122,5 +122,9 @@ mod tests {
         assert!(has_real_point(&squares.minus(&int(1)), [&x, &y]));
         assert!(has_real_point(&px.minus(&int(3)), [&x, &y]));
         assert!(!has_real_point(&px.power(2).plus(&int(3)), [&x, &y]));
+        // (x² + 1)(y² ± 1), of which the first factor has no real point.
+        let factor = px.power(2).plus(&int(1));
+        let [plus, minus] = [1, -1].map(|c| factor.times(&py.power(2).plus(&int(c))));
+        assert!(!has_real_point(&plus, [&x, &y]) && has_real_point(&minus, [&x, &y]));
     }
 }

@@ -180,4 +180,45 @@ mod tests {
         let at = |v| Component::Point(Point::new([(x.clone(), rational(v, 1).into())]));
         assert_eq!(pieces, [at(-2), at(2)]);
     }
+
+    fn xyz() -> ([Parameter; 3], [ParameterPolynomial; 3]) {
+        let parameters = ["x", "y", "z"].map(Parameter::new);
+        let polynomials = parameters.each_ref().map(ParameterPolynomial::parameter);
+        (parameters, polynomials)
+    }
+
+    #[test]
+    fn hypersurfaces_are_split_where_another_polynomial_vanishes() {
+        let (plane, [x, y, _]) = xyz();
+        let plane = &plane[..2];
+        let piece = |f: &ParameterPolynomial| Component::Hypersurface(f.square_free_part());
+        let one = ParameterPolynomial::from_i64(1);
+        let both = piece(&x.times(&y));
+        assert_eq!(both.split_by(&x.times(&y.minus(&one)), plane), [piece(&x), piece(&y)]);
+        // x² + y² + 1 has no real zero.
+        let circle = x.power(2).plus(&y.power(2)).plus(&one);
+        assert_eq!(piece(&x.times(&circle)).split_by(&x, plane), [piece(&x)]);
+        assert_eq!(common_zero_set(&[circle], plane), Ok(vec![]));
+        // Nothing in common, all in common, and too large to be looked at.
+        let large = x.power(25).minus(&y).times(&x);
+        for (f, g) in [(&x, &y), (&x, &x.times(&y)), (&x, &large), (&large, &x)] {
+            assert_eq!(piece(f).split_by(g, plane), [piece(f)]);
+        }
+        assert_eq!(Component::Space.split_by(&x, plane), [Component::Space]);
+        for (f, g) in [(&x, &y.power(25).minus(&x)), (&large, &y)] {
+            assert_eq!(piece(f).intersect(g, plane), Err(Unsolved));
+        }
+    }
+
+    #[test]
+    fn surfaces_of_odd_degree_have_real_points() {
+        let (space, [x, y, z]) = xyz();
+        let piece = |f: &ParameterPolynomial| Component::Hypersurface(f.clone());
+        let sphere = x.power(2).plus(&y.power(2)).plus(&z.power(2));
+        assert!(!piece(&sphere.plus(&ParameterPolynomial::one())).is_surely_real(&space));
+        assert!(piece(&sphere.plus(&y.power(3))).is_surely_real(&space));
+        assert!(piece(&x.times(&y).plus(&z.power(2))).is_surely_real(&space));
+        assert!(piece(&x.power(2).minus(&y.power(2))).is_surely_real(&space[..2]));
+        assert!(Component::Space.is_surely_real(&space));
+    }
 }
