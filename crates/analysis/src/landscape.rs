@@ -115,11 +115,8 @@ impl Landscape {
 fn special_places(plane: &Plane, window: &Window) -> Vec<(Locus, Vec<[Rational; 2]>)> {
     let mut found = Vec::new();
     let mut seen = Vec::new();
-    for order in plane.order() + 1.. {
+    for order in plane.order() + 1..=plane.highest_order() {
         let special = plane.special(order, window);
-        if special.is_empty() {
-            break;
-        }
         for place in special.into_iter().filter(|place| !seen.contains(place)).collect::<Vec<_>>() {
             let at = |point: &[Rational; 2]| {
                 plane.parameters_at(point).filter(|p| contains(window, p)).map(|p| vec![p])

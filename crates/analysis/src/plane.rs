@@ -6,7 +6,7 @@ use refinable_algebra::{
     Laurent, Matrix, Monomial, Parameter, ParameterPolynomial, Polynomial, Rational, Ring, rational,
 };
 use refinable_certificate::{Chart, Number, PlaneFamily, Terms};
-use refinable_reals::common_roots;
+use refinable_reals::{Component, common_roots, common_zero_set};
 use refinable_scheme::{Diagnostic, Normalised};
 use refinable_spectral::{PlanePencil, Window};
 
@@ -19,6 +19,8 @@ const PARTS: i64 = 16;
 const FEW: usize = 4;
 /// The highest degree of masks of which special ones are sought.
 const SOUGHT: u32 = 12;
+/// The highest degree of conditions that are solved for both coordinates at once.
+const SOLVED: u32 = 6;
 
 /// Where a higher power of `σ` divides the symbol.
 #[derive(Clone, PartialEq, Eq)]
@@ -239,6 +241,11 @@ impl Plane {
         (0..degree).map(condition).filter(|c| !c.is_zero()).collect()
     }
 
+    /// The highest power of `σ` that masks of this length may have.
+    pub(crate) fn highest_order(&self) -> usize {
+        (self.length - 1) / (self.arity - 1)
+    }
+
     /// Where `σ^order` divides the symbol: all of it if masks are affine, else the masks at points of the box that are
     /// found, if they are few.
     pub(crate) fn special(&self, order: usize, window: &Window) -> Vec<Special> {
@@ -388,7 +395,8 @@ pub(crate) fn contains(window: &Window, parameters: &[Rational; 2]) -> bool {
     window.iter().zip(parameters).all(|([low, high], x)| low <= x && x <= high)
 }
 
-/// Points of a box at which polynomials in `x` and `y` vanish together: those on lines through it of one coordinate.
+/// Points of a box at which polynomials in `x` and `y` vanish together: single ones, and of curves those on lines through
+/// it of one coordinate.
 fn common_points(
     conditions: &[Polynomial<Polynomial<Rational>>],
     window: &Window,
@@ -415,10 +423,35 @@ fn common_points(
             points.collect::<Vec<_>>()
         })
     };
-    let mut points: Vec<[Rational; 2]> = (0..2).flat_map(across).collect();
+    let single = single_points(conditions).into_iter().filter(|point| contains(window, point));
+    let mut points: Vec<[Rational; 2]> = (0..2).flat_map(across).chain(single).collect();
     points.sort();
     points.dedup();
     points
+}
+
+/// The single points with rational coordinates at which polynomials in `x` and `y` vanish together, where their degree is
+/// low.
+fn single_points(conditions: &[Polynomial<Polynomial<Rational>>]) -> Vec<[Rational; 2]> {
+    let [x, y] = ["x", "y"].map(Parameter::new);
+    let row = |p: &Polynomial<Rational>| {
+        let constants = p.map(|c| ParameterPolynomial::constant(c.clone()));
+        ParameterPolynomial::from_collected(&constants, &x)
+    };
+    let conditions: Vec<ParameterPolynomial> =
+        conditions.iter().map(|c| ParameterPolynomial::from_collected(&c.map(row), &y)).collect();
+    if conditions.iter().any(|c| c.degree() > Some(SOLVED)) {
+        return Vec::new();
+    }
+    let pieces = common_zero_set(&conditions, &[x.clone(), y.clone()]).unwrap_or_default();
+    let rational = |piece: Component| match piece {
+        Component::Point(point) => {
+            let at = |p: &Parameter| point.coordinates().get(p)?.as_rational().cloned();
+            Some([at(&x)?, at(&y)?])
+        }
+        _ => None,
+    };
+    pieces.into_iter().filter_map(rational).collect()
 }
 
 /// The line or point where affine polynomials in `x` and `y` vanish together: a point of it, and how it

@@ -73,8 +73,8 @@ pub enum Command {
         /// Use norms up to this level only: the exact set that they prove, and nothing refuted
         #[arg(long, value_name = "L", value_parser = clap::value_parser!(u32).range(1..))]
         level: Option<u32>,
-        /// How wide, against the length of the range, an undecided gap at an end may be where the end
-        /// cannot be proved exactly
+        /// How wide, against the length of the range, an undecided gap is to be at an end that cannot be proved exactly; where
+        /// proofs would grow too large, it stays wider
         #[arg(long, value_name = "WIDTH", default_value = "1/1000000", conflicts_with = "level")]
         gap: String,
         #[command(flatten)]
@@ -89,7 +89,7 @@ pub enum Command {
         #[command(flatten)]
         scheme: SchemeArguments,
         /// Sweep the free parameter over an interval, 'alpha=0..1/16' or 'alpha=0..1/16:64' with a number
-        /// of steps; prints CSV unless another format is asked for
+        /// of steps
         #[arg(long, value_name = "NAME=FROM..TO[:STEPS]", allow_hyphen_values = true)]
         sweep: Option<String>,
         /// Write the sweep as a picture, SVG or PNG
@@ -120,7 +120,8 @@ pub enum Command {
     /// Write a page to explore a family: certified smoothness and degrees at every point, and live curves; it
     /// opens from disk
     ///
-    /// The page needs neither a server nor a network. For families of two parameters, one, or none.
+    /// The page needs neither a server nor a network. For families of two parameters, one, or none. Maps of long masks take a
+    /// minute; a wider --undecided or fewer --nodes make them coarser and faster.
     #[command(after_help = examples::EXPLORE)]
     Explore {
         #[command(flatten)]
@@ -458,7 +459,8 @@ pub struct MapArguments {
 /// Which box is mapped, and how finely.
 #[derive(Args, Clone, Debug)]
 pub struct FinenessArguments {
-    /// The box, 'alpha=-1/4..3/4,beta=-1/2..1/2'; one that shows the set if left out
+    /// The box, 'alpha=-1/4..3/4,beta=-1/2..1/2'; if left out one around what was found of the set, which may be cut where it
+    /// is thin or goes on for ever
     #[arg(long = "box", value_name = "BOX", allow_hyphen_values = true)]
     pub window: Option<String>,
     /// Which part of the proved area may be left undecided

@@ -11,7 +11,7 @@ use refinable_report::{Cell, Document, Grid};
 use crate::arguments::Format;
 use crate::failure::Failure;
 
-/// The width of tables that are not printed to a terminal.
+/// The width of tables where there is no terminal that has one.
 const WIDTH: u16 = 160;
 /// A table with more columns is printed with its columns as lines.
 const MOST_COLUMNS: usize = 14;
@@ -63,7 +63,8 @@ fn grid(grid: &Grid) -> String {
     let mut table = Table::new();
     table.load_style(STYLE);
     table.set_content_arrangement(ContentArrangement::Dynamic);
-    if !table.is_tty() {
+    // A terminal that does not know its width says 0.
+    if table.width().is_none_or(|width| width == 0) {
         table.set_width(WIDTH);
     }
     let plain = |row: &Vec<Cell>| row.iter().map(|cell| cell.plain.clone()).collect();

@@ -155,8 +155,14 @@ pub fn region(region: &Region, variable: &str) -> String {
 /// Plain text with LaTeX's special characters escaped and the few signs our texts use translated.
 pub fn escape(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
-    for c in text.chars() {
+    let mut rest = text.chars().peekable();
+    while let Some(c) = rest.next() {
         match c {
+            // The order of C^2, the power of a bracket.
+            '^' if rest.peek().is_some_and(char::is_ascii_digit) => {
+                let digits = std::iter::from_fn(|| rest.next_if(char::is_ascii_digit));
+                escaped.push_str(&format!("$^{{{}}}$", digits.collect::<String>()));
+            }
             '\\' => escaped.push_str("\\textbackslash{}"),
             '&' | '%' | '$' | '#' | '_' | '{' | '}' => {
                 escaped.push('\\');
@@ -195,7 +201,7 @@ pub fn formula_or_text(text: &str) -> String {
     if text.is_empty() {
         return String::new();
     }
-    formula(text).map_or_else(|| escape(text), |math| format!("${math}$"))
+    formula(text).map_or_else(|| escape(text), |math| format!("${}$", math.trim_end()))
 }
 
 fn formula(text: &str) -> Option<String> {
@@ -217,6 +223,11 @@ fn formula(text: &str) -> Option<String> {
             math.push_str(&known.then(|| name(&word))?);
             math.push(' ');
             rest = &rest[word.len()..];
+            continue;
+        }
+        if rest.starts_with("..") {
+            math.push_str("\\dots");
+            rest = &rest[2..];
             continue;
         }
         match c {
@@ -267,5 +278,8 @@ mod tests {
             "$-1/4 < \\alpha  < (3-\\sqrt{3})/64$"
         );
         assert_eq!(formula_or_text("not 100% checked"), "not 100\\% checked");
+        assert_eq!(formula_or_text("-∞ .. ≈ 0.19"), "$-\\infty \\dots \\approx 0.19$");
+        assert_eq!(formula_or_text("w"), "$w$");
+        assert_eq!(formula_or_text("C^12 of ^"), "C$^{12}$ of \\textasciicircum{}");
     }
 }

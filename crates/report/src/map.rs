@@ -149,6 +149,14 @@ impl Maps {
                 ));
             }
         }
+        let cut = self.maps.iter().filter(|map| reaches_the_edge(map));
+        let cut: Vec<String> = cut.map(|map| format!("C^{}", map.continuity())).collect();
+        if !cut.is_empty() {
+            remarks.push(format!(
+                "proved up to the edge of the box, so that a larger --box may show more: {}",
+                cut.join(", ")
+            ));
+        }
         if let Some(poles) = poles(&self.maps[0]) {
             remarks.push(format!("the mask has poles where {poles} = 0: nothing is said there"));
         }
@@ -225,6 +233,20 @@ fn corner_texts(polygon: &Polygon) -> Vec<[String; 2]> {
 }
 
 /// Whether a piece is refuted only where shifts are stable.
+/// Whether a piece on which C^n is proved has a side along the edge of the box.
+fn reaches_the_edge(map: &Map) -> bool {
+    let window = map.window();
+    let is_along = |a: &[Rational; 2], b: &[Rational; 2]| {
+        (0..2).any(|i| a[i] == b[i] && window[i].contains(&a[i]))
+    };
+    map.cells.iter().filter(|cell| cell.verdict == CellVerdict::Proved).any(|cell| {
+        let points = cell.polygon.points();
+        let corners: Vec<_> = points.iter().map(|point| map.plane.parameters_at(point)).collect();
+        let next = corners.iter().cycle().skip(1);
+        corners.iter().zip(next).any(|pair| matches!(pair, (Some(a), Some(b)) if is_along(a, b)))
+    })
+}
+
 fn needs_stability(map: &Map) -> bool {
     map.cells.iter().any(|cell| cell.verdict == CellVerdict::Refuted { if_stable: true })
 }

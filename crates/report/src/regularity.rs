@@ -17,15 +17,23 @@ pub fn regularity_table(scheme: &Scheme, found: &Regularity) -> Document {
         Some(text) => text.clone(),
         None => bounds_text(&lower, upper.as_ref(), 12),
     };
-    let continuity = found.continuity.map_or("not proved to converge".into(), |n| format!("C^{n}"));
+    let continuity = match (found.continuity, &found.upper) {
+        (Some(n), _) => format!("C^{n}"),
+        // The joint spectral radius of the difference scheme is at least one.
+        (None, Some(upper)) if *upper <= Rational::zero() && found.factor.is_none() => {
+            "no continuous limit".into()
+        }
+        (None, _) => "not proved to converge".into(),
+    };
     let divided = format!("factors {} divided out", geometric_factor(arity));
+    let decimals = exact.as_ref().map(|_| ("decimals", format!("≈ {}", decimal(&lower, 10))));
     let rows = [
-        ("Hölder exponent", value),
-        ("decimals", format!("≈ {}", decimal(&lower, 10))),
-        ("implies", continuity.clone()),
-        ("leading word", found.word.clone()),
-        (&divided, found.divided_order.to_string()),
-        ("stable shifts", yes_or_no(found.stable).unwrap_or("not known").into()),
+        Some(("Hölder exponent", value)),
+        decimals,
+        Some(("implies", continuity)),
+        Some(("leading word", found.word.clone())),
+        Some((&divided, found.divided_order.to_string())),
+        Some(("stable shifts", yes_or_no(found.stable).unwrap_or("not known").into())),
     ];
     let mut remarks = Vec::new();
     if let Some(factor) = &found.factor {
@@ -46,12 +54,12 @@ pub fn regularity_table(scheme: &Scheme, found: &Regularity) -> Document {
     if let Some(certificate) = &found.certificate {
         remarks.push(format!("proof checked: {}", proof_text(certificate)));
     }
-    let rows = rows.map(|(name, value)| vec![Cell::text(name), Cell::text(value)]);
+    let row = |(name, value): (&str, String)| vec![Cell::text(name), Cell::text(value)];
     let grid = Grid {
         id: "regularity".into(),
         caption: format!("Regularity of {}", scheme.name()),
         header: ["quantity", "value"].map(String::from).to_vec(),
-        rows: rows.to_vec(),
+        rows: rows.into_iter().flatten().map(row).collect(),
         remarks,
     };
     let mut holder = json!({

@@ -161,8 +161,8 @@ pub(crate) fn undecided_because(range: &ContinuityRange) -> Vec<String> {
         );
     } else if !range.is_exact() {
         reasons.push(
-            "undecided intervals: no proof was found there; a narrow gap is left at an end at \
-             which a complex pair of eigenvalues, or several words at once, lead",
+            "undecided intervals: no proof was found there; a gap is left at an end at which a complex pair of \
+             eigenvalues, or several words at once, lead",
         );
     }
     reasons.into_iter().map(String::from).collect()

@@ -4,16 +4,15 @@
 
 use refinable_algebra::{Monomial, Parameter, ParameterPolynomial, Rational};
 use refinable_analysis::{
-    Stratum, TensionChoice, degrees, interpolating_value, interproximate_tensions,
+    Degrees, Stratum, TensionChoice, degrees, interpolating_value, interproximate_tensions,
 };
-use refinable_reals::{Component, RealAlgebraic};
+use refinable_reals::{Component, Point, RealAlgebraic};
 use refinable_scheme::{Diagnostic, Mask, Scheme};
 use serde_json::{Value, json};
 
 use super::ExplorerOptions;
-use super::smoothness::{line, plane, single};
+use super::smoothness::{line, members, plane, single, smoothest};
 use crate::degrees::condition;
-use crate::interproximate::floored;
 
 /// All that the page is told.
 pub(super) fn of(
@@ -23,23 +22,42 @@ pub(super) fn of(
 ) -> Result<Value, Diagnostic> {
     let mask = scheme.mask();
     let free: Vec<Parameter> = mask.parameters().into_iter().collect();
+    let mut smoothest: Option<Vec<Rational>> = None;
     let (parameters, smoothness, centre) = match free.len() {
         0 => (free, single(scheme, progress)?, Vec::new()),
         1 => {
-            let (ranges, centre) = line(scheme, progress)?;
+            let (ranges, centre, value) = line(scheme, progress)?;
+            smoothest = value.map(|value| vec![value]);
             (free, ranges, vec![centre])
         }
         _ => plane(scheme, options, progress)?,
     };
     progress("interpolating members");
     let tensions = tensions(scheme, &parameters);
-    // The smoothest member may be outside of a box that was asked for.
-    let start = match &tensions {
-        Tensions::Chosen(choice) if options.window.is_none() => {
-            in_order(mask, &parameters, &choice.approximating)
+    progress("the smoothest member");
+    match &tensions {
+        Tensions::Chosen(choice) => {
+            smoothest = Some(in_order(mask, &parameters, &choice.approximating));
         }
+        _ if parameters.len() == 2 => smoothest = self::smoothest(scheme, options),
+        _ => {}
+    }
+    // It may be outside of a box that was asked for.
+    let start = match &smoothest {
+        Some(point) if options.window.is_none() && parameters.len() == 2 => point.clone(),
         _ => centre,
     };
+    let found = degrees(mask);
+    let special = found.strata.iter().filter_map(|stratum| match &stratum.locus {
+        Component::Point(point) => rational_point(point, &parameters),
+        _ => None,
+    });
+    let mut notable = Vec::from_iter(smoothest.clone());
+    for point in special {
+        if !notable.contains(&point) {
+            notable.push(point);
+        }
+    }
     Ok(json!({
         "scheme": scheme.name(),
         "words": options.words,
@@ -47,8 +65,10 @@ pub(super) fn of(
         "parameters": parameters.iter().map(Parameter::name).collect::<Vec<_>>(),
         "mask": mask_data(mask, &parameters),
         "start": texts(&start),
-        "degrees": degree_data(scheme, &parameters),
+        "degrees": degree_data(&found, &parameters),
         "smoothness": smoothness,
+        "smoothest": smoothest.as_deref().map(texts),
+        "members": members(scheme, &parameters, &notable, progress),
         "interpolating": tensions.data(mask, &parameters),
     }))
 }
@@ -79,8 +99,7 @@ fn mask_data(mask: &Mask, parameters: &[Parameter]) -> Value {
 }
 
 /// The strata. A point with irrational coordinates is told in words only: no rational point is it.
-fn degree_data(scheme: &Scheme, parameters: &[Parameter]) -> Value {
-    let found = degrees(scheme.mask());
+fn degree_data(found: &Degrees, parameters: &[Parameter]) -> Value {
     let stratum = |stratum: &Stratum| {
         let mut data = json!({
             "condition": condition(&stratum.locus),
@@ -91,10 +110,7 @@ fn degree_data(scheme: &Scheme, parameters: &[Parameter]) -> Value {
             Component::Space => {}
             Component::Hypersurface(f) => data["vanishes"] = terms(f, parameters),
             Component::Point(point) => {
-                let coordinate =
-                    |p| point.coordinates().get(p).and_then(RealAlgebraic::as_rational);
-                let point: Option<Vec<Rational>> =
-                    parameters.iter().map(|p| coordinate(p).cloned()).collect();
+                let point = rational_point(point, parameters);
                 data["point"] = point.map_or(Value::Null, |point| json!(texts(&point)));
             }
         }
@@ -102,6 +118,12 @@ fn degree_data(scheme: &Scheme, parameters: &[Parameter]) -> Value {
     };
     let strata: Vec<Value> = found.strata.iter().map(stratum).collect();
     json!({"complete": found.complete, "strata": strata})
+}
+
+/// The coordinates, if all are rational.
+fn rational_point(point: &Point, parameters: &[Parameter]) -> Option<Vec<Rational>> {
+    let coordinate = |p| point.coordinates().get(p).and_then(RealAlgebraic::as_rational).cloned();
+    parameters.iter().map(coordinate).collect()
 }
 
 /// The members by which vertices can be interpolated.
@@ -138,8 +160,6 @@ impl Tensions {
         match self {
             Tensions::Chosen(choice) => json!({
                 "values": texts(&in_order(mask, parameters, &choice.interpolating)),
-                "smoothest": texts(&in_order(mask, parameters, &choice.approximating)),
-                "exponent": floored(&choice.regularity.lower),
             }),
             Tensions::Value(value) => json!({"values": texts(std::slice::from_ref(value))}),
             Tensions::None(reason) => json!({"missing": reason}),

@@ -34,6 +34,11 @@ const maps = (smoothness.maps ?? []).map((map) => ({
   })),
 }));
 
+/** Members of which more is known than of their surroundings. */
+const members = data.members.map((member) => ({ ...member, point: member.point.map(parseRational) }));
+const knownMember = (parameters) =>
+  members.find(({ point }) => point.every((x, k) => equal(x, parameters[k])));
+
 const ranges = (smoothness.ranges ?? []).map((range) => ({
   ...range,
   intervals: range.intervals.map(readInterval),
@@ -139,12 +144,22 @@ const neededPower = (n) => {
   return `(1 + z${rest})${raised(n + 1)}`;
 };
 
+/** The coordinates of the plane in which the pieces are polygons, in the parameters: `(α, β (1 - α))`. */
+const coordinates = (() => {
+  const [u, v] = parameters.map(letter);
+  if (!factor) return `(${u}, ${v})`;
+  const [constant, slope] = factor;
+  const size = slope.n < 0n ? minus(ZERO, slope) : slope;
+  const term = `${slope.n < 0n ? "-" : "+"} ${equal(size, ONE) ? "" : `${toText(size)} `}${u}`;
+  return `(${u}, ${v} (${toText(constant)} ${term}))`;
+})();
+
 function sectionText(n, { origin, direction }, interval) {
   const [start, way] = [origin, direction].map((p) => `(${p.map(toText).join(", ")})`);
   const divides = `where ${neededPower(n)} divides the symbol`;
-  if (direction.every(isZero)) return `the mask is that at (x, y) = ${start}, ${divides}`;
+  if (direction.every(isZero)) return `the mask is that at ${coordinates} = ${start}, ${divides}`;
   const part = interval ? `, t in ${interval.text}` : "";
-  return `on the line ${divides}, (x, y) = ${start} + t ${way}${part}`;
+  return `on the line ${divides}, ${coordinates} = ${start} + t ${way}${part}`;
 }
 
 /** What is proved on the lines beyond the order. */
@@ -191,19 +206,39 @@ function verdictOnLine(range, x) {
   return { verdict: interval.verdict, because: interval.text + (because ? `; ${because}` : "") };
 }
 
+const alone = (because) => ["this member alone", because].filter((text) => text !== "").join(": ");
+
+/** The verdicts with those on the member alone where they leave something undecided, or end. */
+function withMember(verdicts, parameters) {
+  const known = knownMember(parameters)?.verdicts ?? [];
+  const both = Array.from({ length: Math.max(verdicts.length, known.length) }, (_, n) => {
+    const isOpen = !verdicts[n] || verdicts[n].verdict === "undecided";
+    return isOpen && known[n] ? { ...known[n], isAlone: true, because: alone(known[n].because) } : verdicts[n];
+  });
+  const rough = known.find(({ verdict }) => verdict === "refuted");
+  return both.map((found) => rough && found.continuity > rough.continuity && found.verdict === "undecided"
+    ? { ...found, verdict: "refuted", because: `${order(rough.continuity)} is refuted` }
+    : found);
+}
+
 /** For each order, ascending, the verdict at the parameters and its reason. */
 function verdictsAt(parameters) {
   if (smoothness.kind === "scheme") return smoothness.verdicts;
   if (smoothness.kind === "line") {
-    return ranges.map((range) => ({
+    const found = ranges.map((range) => ({
       continuity: range.continuity,
       ...verdictOnLine(range, parameters[0]),
     }));
+    return withMember(found, parameters);
   }
   if (isZero(evaluate(family.denominator, parameters))) {
     const because = "the denominator of the mask vanishes here";
     return maps.map(({ continuity }) => ({ continuity, verdict: "undefined", because }));
   }
+  return withMember(verdictsOnPlane(parameters), parameters);
+}
+
+function verdictsOnPlane(parameters) {
   const point = toPlane(parameters);
   let stable;
   const isStable = () => (stable ??= hasStableShifts(parameters));

@@ -5,17 +5,18 @@
 //! cut along `a x + b y = c`, a number for a piece with that reason.
 
 use refinable_algebra::{
-    Integer, Parameter, Polynomial, Rational, Ring, clear_denominators, rational,
+    Integer, Parameter, ParameterFraction, ParameterPolynomial, Polynomial, Rational, Ring,
+    clear_denominators, rational,
 };
 use refinable_analysis::{
     ContinuityRange, Fineness, Map, MapVerdict, Options, PointVerdict, Sharpness, continuity_at,
-    default_window, map, region_of, regularity,
+    default_window, landscape, map, region_of, regularity, smoothest_in,
 };
 use refinable_certificate::{
     CellVerdict, Certificate, Conclusion, Node, Number, Section, parts_of_box,
 };
 use refinable_reals::{Bound, Interval, RealAlgebraic, Region};
-use refinable_scheme::{Diagnostic, Scheme};
+use refinable_scheme::{Diagnostic, Scheme, Substitution};
 use serde_json::{Value, json};
 
 use super::ExplorerOptions;
@@ -56,11 +57,36 @@ pub(super) fn single(scheme: &Scheme, progress: &dyn Fn(&str)) -> Result<Value, 
     Ok(json!({"kind": "scheme", "verdicts": verdicts, "holder": holder}))
 }
 
-/// The ranges of a family of one parameter, and a value with the highest order that holds on an interval.
+/// Members of a family that stand out, in the order of the points, each with what is proved of it alone. The map may leave
+/// a point undecided at which everything is known.
+pub(super) fn members(
+    scheme: &Scheme,
+    parameters: &[Parameter],
+    points: &[Vec<Rational>],
+    progress: &dyn Fn(&str),
+) -> Value {
+    let member = |(k, point): (usize, &Vec<Rational>)| {
+        let value =
+            |x: &Rational| ParameterFraction::from(ParameterPolynomial::constant(x.clone()));
+        let settings: Vec<_> = parameters
+            .iter()
+            .zip(point)
+            .map(|(p, x)| Substitution::new(p.clone(), value(x)))
+            .collect();
+        let quiet = |order: &str| progress(&format!("member {}, {order}", k + 1));
+        let mut member = single(&scheme.with(&settings).ok()?, &quiet).ok()?;
+        member["point"] = json!(texts(point));
+        Some(member)
+    };
+    points.iter().enumerate().filter_map(member).collect()
+}
+
+/// The ranges of a family of one parameter, a value with the highest order that holds on an interval, and the smoothest
+/// one that is found.
 pub(super) fn line(
     scheme: &Scheme,
     progress: &dyn Fn(&str),
-) -> Result<(Value, Rational), Diagnostic> {
+) -> Result<(Value, Rational, Option<Rational>), Diagnostic> {
     let mut ranges = Vec::new();
     for n in 0..MOST_ORDERS {
         progress(&format!("C^{n}"));
@@ -79,7 +105,10 @@ pub(super) fn line(
         Some(proper.sample())
     });
     let data = json!({"kind": "line", "window": [texts(&window)], "ranges": data});
-    Ok((data, centre.unwrap_or_else(Rational::zero)))
+    let smoothest = ranges.iter().rev().find(|range| !range.proved.is_empty()).and_then(|range| {
+        smoothest_in(scheme.name(), scheme.mask(), &range.proved).map(|(value, _)| value)
+    });
+    Ok((data, centre.unwrap_or_else(Rational::zero), smoothest))
 }
 
 /// An interval around the finite ends of all that is proved.
@@ -160,10 +189,7 @@ pub(super) fn plane(
     progress: &dyn Fn(&str),
 ) -> Result<(Vec<Parameter>, Value, Vec<Rational>), Diagnostic> {
     let (name, mask) = (scheme.name(), scheme.mask());
-    let window = match &options.window {
-        Some(text) => parse_window(scheme, text)?,
-        None => default_window(name, mask, 0)?,
-    };
+    let window = window(scheme, options)?;
     let mut maps = Vec::new();
     for n in 0..MOST_ORDERS {
         progress(&format!("map of C^{n}"));
@@ -193,6 +219,20 @@ pub(super) fn plane(
     let centre = maps.iter().rev().find_map(centre);
     let centre = centre.unwrap_or_else(|| window.map(|[low, high]| (low + high) / rational(2, 1)));
     Ok((parameters, data, centre.to_vec()))
+}
+
+fn window(scheme: &Scheme, options: &ExplorerOptions) -> Result<[[Rational; 2]; 2], Diagnostic> {
+    match &options.window {
+        Some(text) => parse_window(scheme, text),
+        None => default_window(scheme.name(), scheme.mask(), 0),
+    }
+}
+
+/// The smoothest member that is found in the box of a plane; none if it cannot be searched for.
+pub(super) fn smoothest(scheme: &Scheme, options: &ExplorerOptions) -> Option<Vec<Rational>> {
+    let window = window(scheme, options).ok()?;
+    let found = landscape(scheme.name(), scheme.mask(), &window, [2, 2]).ok()?;
+    found.highest().map(|summit| summit.parameters.to_vec())
 }
 
 /// The words by which a command line asks for maps of this box and fineness.

@@ -110,8 +110,9 @@ function curveCommand(hasComb) {
 }
 
 /** Makes the certificate of an order again, the same as was used here. */
-function certifyCommand(n) {
+function certifyCommand(n, isAlone) {
   const file = `C${n}.json`;
+  if (isAlone) return command("certify", ...data.words, ...settings(), "-n", `${n}`, "-o", file);
   return smoothness.kind === "plane"
     ? command("map", ...data.words, ...smoothness.words, "-n", `${n}`, "--certificate", file)
     : command("certify", ...data.words, "-n", `${n}`, "-o", file);
@@ -131,7 +132,7 @@ function maskText(member) {
   const list = `[${tops.join(", ")}]`;
   const centred = -Math.floor(member.mask.length / 2);
   const shift = member.first === centred ? "" : ` @ ${member.first}`;
-  return typeset(`${common === 1n ? "" : `1/${common} `}${list}${shift}`);
+  return typeset(`${common === 1n ? "" : `1/${common}*`}${list}${shift}`);
 }
 
 function ruleElement({ first, weights }, e) {
@@ -222,7 +223,7 @@ function showVerdicts(verdicts) {
   const headline = next?.verdict === "undefined" ? "The family has a pole here" : parts.join(", ");
   if (byId("headline").textContent !== headline) byId("headline").textContent = headline;
   byId("certificate").hidden = highest === null;
-  byId("certify").textContent = certifyCommand(highest ?? 0);
+  byId("certify").textContent = certifyCommand(highest ?? 0, verdicts[highest ?? 0].isAlone);
   byId("verdicts").replaceChildren(...verdicts.map(({ continuity, verdict, because }) => {
     const name = html("span", { class: "order" }, order(continuity));
     const word = html("span", { class: `verdict ${verdict}` }, verdict);
@@ -241,7 +242,8 @@ function showFacts(member) {
     facts.push(["generation", `${more}${here.generation}`], ["reproduction", `${more}${here.reproduction}`]);
     facts.push(["type", typeOf(member).join(", ")]);
     facts.push(["support", typeset(`[${member.first}, ${end}], width ${toText(width)}`)]);
-    if (smoothness.holder) facts.push(["Hölder exponent", typeset(smoothness.holder)]);
+    const holder = smoothness.holder ?? knownMember(state.point)?.holder;
+    if (holder) facts.push(["Hölder exponent", typeset(holder)]);
     const where = here.condition === "generic" ? "those of almost all members" : `special here: ${here.condition}`;
     byId("stratum").textContent = parameters.length > 0 ? typeset(where) : "";
   }
@@ -277,7 +279,8 @@ function showCurve(member, verdicts) {
   const ends = closed ? "" : "; the ends are reflected";
   const why = isTagged ? "for curves without interpolated vertices" : `where ${order(2)} is proved`;
   const combs = canComb ? "" : ` Curvature combs are drawn ${why}.`;
-  const note = `${curve.length} points in floats${ends}.${combs}`;
+  const diverges = verdicts[0]?.verdict === "refuted" ? ` There is no limit: ${order(0)} is refuted here.` : "";
+  const note = `${curve.length} points in floats${ends}.${diverges}${combs}`;
   byId("curve-note").textContent = member ? note : "There is no curve: the family has a pole here.";
   byId("tag").setAttribute("aria-pressed", tags[selected] === 1);
   byId("remove").disabled = points.length <= 2;
@@ -383,14 +386,12 @@ function buildNotable() {
     const place = typeset(parameters.length > 1 ? `(${list}) ` : `${letter(parameters[0])} = ${list} `);
     marks.set(place, { point, texts: [...(marks.get(place)?.texts ?? []), text] });
   };
-  const choice = data.interpolating;
-  if (choice.smoothest) {
-    mark(choice.smoothest.map(parseRational), `smoothest found, exponent ≥ ${choice.exponent}`);
-  }
+  if (data.smoothest) mark(data.smoothest.map(parseRational), "smoothest found");
   if (interpolating) mark(interpolating, "interpolates");
   for (const { point, generation, reproduction } of strata.filter((s) => s.point)) {
     mark(point, `degrees ${generation}, ${reproduction}`);
   }
+  for (const { point, holder } of members.filter((m) => m.holder)) mark(point, `exponent ${holder}`);
   byId("notable").append(...[...marks].map(([place, { point, texts }]) =>
     html("button", { type: "button", class: "mark", click: () => setPoint(point) }, place, html("small", {}, texts.join("; "))),
   ));
