@@ -221,14 +221,14 @@ mod tests {
         assert_eq!(forms(&[1, 0, -10, 0, 1])[3], "root(t^4 - 10*t^2 + 1, 4)");
     }
 
-    /// `(t³ - 2)((t - 1000)² - 2)`: the product of two near roots is enclosed less closely than their sum.
+    /// `(t³ - 2)((t - 10^30)² - 2)`: the product of the roots is enclosed less closely than their sum.
     #[test]
     fn a_quadratic_factor_with_large_roots() {
-        let square = poly(&[999_998, -2000, 1]);
-        let forms: Vec<String> = real_roots(&square.times(&poly(&[-2, 0, 0, 1])))
-            .iter()
-            .map(|x| x.exact_form().display("t"))
-            .collect();
-        assert_eq!(forms[1..], ["1000-sqrt(2)", "1000+sqrt(2)"]);
+        let large = integer(10).power(30);
+        let square = vec![&large * &large - integer(2), -&large * integer(2), integer(1)];
+        let p = Polynomial::new(square).times(&poly(&[-2, 0, 0, 1]));
+        let forms = real_roots(&p).into_iter().map(|x| x.exact_form().display("t"));
+        let expected = ["-", "+"].map(|sign| format!("{large}{sign}sqrt(2)"));
+        assert_eq!(forms.skip(1).collect::<Vec<_>>(), expected);
     }
 }
