@@ -13,6 +13,24 @@ fn square(text: &str, continuity: usize) -> Map {
     map_of(text, continuity, [[(-1, 1), (1, 1)], [(-1, 1), (1, 1)]])
 }
 
+/// Where more powers divide than on a curve: the quintic B-spline `(1+z)^6/32`, C^4 with the exponent 5, at one point that is
+/// on no line of a grid.
+#[test]
+fn a_single_point_is_solved_for() {
+    let text = "[s*t, t/(1+t), 1/2-s*t, 1-2*t/(1+t), 1/2-s*t, t/(1+t), s*t]";
+    let window = [[rational(0, 1), rational(1, 4)], [rational(0, 1), rational(1, 2)]];
+    let point = [rational(13, 96), rational(3, 13)];
+    let family = scheme(text);
+    let landscape = landscape(text, family.mask(), &window, [2, 2]).unwrap();
+    let highest = landscape.highest().unwrap();
+    assert_eq!((&highest.parameters, &highest.regularity.lower), (&point, &rational(5, 1)));
+    for (continuity, expected) in [(4, MapVerdict::Proved), (5, MapVerdict::Refuted)] {
+        let map = map(text, family.mask(), continuity, &window, &Fineness::default()).unwrap();
+        assert_eq!(map.verdict_at(&point), expected, "C^{continuity}");
+        assert_eq!(map.verdict_at(&[rational(1, 8), rational(3, 13)]), MapVerdict::Refuted);
+    }
+}
+
 /// `t = a/b`: the pairs of opposite wedges over an interval of `t` within `-1 .. 1` fill just as much of the square.
 #[test]
 fn wedges_on_both_sides_of_a_pole() {

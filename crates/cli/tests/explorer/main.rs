@@ -320,6 +320,32 @@ fn two_parameters_with_poles() {
     assert_eq!(browser.errors, [""; 0]);
 }
 
+/// The quintic B-spline, C^4 with the exponent 5, at a single point of a family with products and quotients, where maps
+/// leave nearly all orders open; beside it the page says no more than they.
+#[test]
+fn members_by_themselves() {
+    let Some(mut browser) = Browser::start() else { return };
+    let dir = TempDir::new().expect("a directory");
+    let text = "[s*t, t/(1+t), 1/2-s*t, 1-2*t/(1+t), 1/2-s*t, t/(1+t), s*t]";
+    let window = "s=-1..1,t=0..1";
+    let path = page(&dir, "member.html", &[text, "--box", window]);
+    browser.open(&path, "#at=13/96,3/13");
+    assert_eq!(browser.text("#headline"), "C⁴ is proved, C⁵ is refuted");
+    assert_eq!(fact(&mut browser, "Hölder exponent"), "5");
+    assert_eq!(browser.text("#mask"), "1/32*[1, 6, 15, 20, 15, 6, 1]");
+    let again = browser.text("#certify");
+    assert!(again.contains("certify") && again.contains("--set s=13/96 --set t=3/13"), "{again}");
+    let notable = browser.text("#notable");
+    assert!(notable.contains("smoothest found; degrees 5, 1; exponent 5"), "{notable}");
+    let maps = Maps::new(&family(text), "0..2", Some(window), &Fineness::default()).expect("maps");
+    for point in scattered(20) {
+        agreed(&mut browser, &maps, &point);
+    }
+    verdicts(&mut browser, &numbers(&["-7/8", "7/8"]));
+    assert!(browser.text("#curve-note").contains("There is no limit: C⁰ is refuted here"));
+    assert_eq!(browser.errors, [""; 0]);
+}
+
 /// Arity 3: the stability of the shifts is tested by contrasts, and C^1 holds on a line, `b = 1/3` with `0 < a < 1/3`.
 #[test]
 fn two_parameters_of_a_ternary_family() {
