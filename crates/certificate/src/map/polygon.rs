@@ -204,6 +204,32 @@ mod tests {
         }
     }
 
+    /// By the signs of the areas of the triangles with a point.
+    #[test]
+    fn triangles_of_all_shapes_contain_what_they_should() {
+        let mut state = 7_u64;
+        let mut next = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            (state >> 33) as i64
+        };
+        let mut point =
+            || [rational(next() % 9 - 4, next() % 5 + 1), rational(next() % 9 - 4, next() % 7 + 1)];
+        let turn =
+            |[ax, ay]: &[Rational; 2], [bx, by]: &[Rational; 2], [cx, cy]: &[Rational; 2]| {
+                ((bx - ax) * (cy - ay) - (by - ay) * (cx - ax)).compare_to_zero()
+            };
+        let mut counts = [0, 0];
+        for _ in 0..2000 {
+            let [a, b, c, p] = [(); 4].map(|()| point());
+            let Some(triangle) = Polygon::new(&[a.clone(), b.clone(), c.clone()]) else { continue };
+            let turns = [turn(&a, &b, &p), turn(&b, &c, &p), turn(&c, &a, &p)];
+            let inside = turns.iter().all(|turn| turn.is_ge());
+            assert_eq!(triangle.contains(&p), inside, "{a:?} {b:?} {c:?} {p:?}");
+            counts[usize::from(inside)] += 1;
+        }
+        assert!(counts.iter().all(|&count| count > 50), "{counts:?}");
+    }
+
     #[test]
     fn only_convex_polygons_in_order() {
         let points = [point(0, 0), point(2, 0), point(2, 2), point(0, 2)];

@@ -321,6 +321,19 @@ mod tests {
         assert_eq!(splits(&[4, 4, 7], 1)[&(vec![4], 4, vec![7])], 2);
     }
 
+    /// Two triangles share the diagonal from the first corner to the third, and the second corner is in none with the
+    /// fourth.
+    #[test]
+    fn control_points_are_those_of_the_triangles() {
+        let all = controls(4, 2);
+        let without = [vec![1, 3]];
+        let expected = multisets(4, 2).into_iter().filter(|set| !without.contains(set));
+        assert_eq!(all, expected.collect::<BTreeSet<_>>());
+        assert_eq!(controls(5, 1).len(), 5);
+        assert!(!controls(5, 3).iter().any(|set| set.contains(&1) && set.contains(&4)));
+        assert!(controls(5, 3).contains(&vec![0, 3, 4]));
+    }
+
     /// `L Q R^T` for integers is exact up to the rounding that is announced.
     #[test]
     fn products_of_integers() {
@@ -371,6 +384,18 @@ mod tests {
                     let off = found - exact;
                     assert!(off < error && -off < error);
                 }
+            }
+            // Of l r Q with numbers in place of matrices.
+            let [l, r] = [l[0], r[0]];
+            let mut sum = Sum::new(2);
+            sum.add([kept[0][0], kept[1][0]], &form, 3);
+            for (i, j) in [(0, 0), (0, 1), (1, 1)] {
+                let q = Integer::from(entry(&form, 2, i, j));
+                let exact: Integer = Integer::from(l) * Integer::from(r) * q * Integer::from(3);
+                let shift = 2 * (PLACES + 20) - FULL_PLACES;
+                let off: Integer = (Integer::from(sum.matrix[i][j]) << shift) - exact;
+                let error = Integer::from(sum.error) << shift;
+                assert!(off < error && -off < error);
             }
         }
     }

@@ -35,6 +35,21 @@ fn a_norm_on_a_piece() {
     assert_eq!(check(&map()), Ok(vec![CellVerdict::Proved, CellVerdict::Undecided]));
 }
 
+/// `|x| + |1/2 - x|` is the sum of both rows, and one at `x = 3/4` and `x = -1/4`.
+#[test]
+fn a_norm_is_below_one_up_to_the_corners() {
+    let holds = |ends: [&str; 2]| {
+        let mut whole = map();
+        whole["box"][0] = json!(ends);
+        whole["nodes"] = json!([{"kind": "norm"}]);
+        check(&whole)
+    };
+    assert_eq!(holds(["-24/100", "74/100"]), Ok(vec![CellVerdict::Proved]));
+    for ends in [["0", "3/4"], ["-1/4", "0"]] {
+        assert!(holds(ends).is_err_and(|error| error.contains("the norm is not below one")));
+    }
+}
+
 #[test]
 fn what_is_not_a_map_is_unreadable() {
     let text = map().to_string();
@@ -106,6 +121,8 @@ fn hostile_parts() {
         ("/family/denominator", json!(vec![json!(["1", 1, 0]); 101]), "more than 100 terms"),
         ("/box/0", json!(["3/4", "1"]), "the norm is not below one"),
         ("/box/0", json!(["1", "0"]), "not below the upper one"),
+        ("/box/0", json!(["1/2", "1/2"]), "not below the upper one"),
+        ("/box/1", json!(["0", "0"]), "not below the upper one"),
         ("/box/0/1", json!(long), "512 bits"),
         ("/stable_at", json!([long, "0"]), "512 bits"),
         ("/stable_at", json!(["1/4", "0"]), "not shown to be stable"),
@@ -283,11 +300,55 @@ fn a_form_that_is_negative_somewhere_grows() {
     }
     for (ends, form, vector, because) in [
         (ends, [-2, 1, 4], [1, 2], "not negative at the vector"),
+        (ends, [-2, 1, 4], [2, 1], "not negative at the vector"),
         (ends, [-2, 1, -4], [1, 0], "mapped below"),
         (ends, [-2, 5, 4], [1, 0], "mapped below"),
         (["-1/4", "-1/8"], [-2, 1, 4], [1, 0], "mapped below"),
     ] {
         let error = of_two_rows(ends, grows(form, vector)).expect_err("it does not grow");
         assert!(error.contains(because), "{error}");
+    }
+}
+
+/// One more factor `(1+z)/2` and one more order: then a product that grows tells something of schemes with stable shifts
+/// only.
+#[test]
+fn smoothness_is_refuted_where_shifts_are_stable() {
+    let forms = vec![[[-2, 1, 4]]; 4];
+    let mut changed = map();
+    let (outer, inner) = (json!([["-1/2", 1, 0]]), json!([["1/2", 0, 0]]));
+    changed["family"]["mask"] = json!([outer, inner, [["1", 0, 0], ["1", 1, 0]], inner, outer]);
+    changed["family"]["order"] = json!(2);
+    changed["continuity"] = json!(1);
+    changed["box"][0] = json!(["1/2", "9/16"]);
+    changed["nodes"] =
+        json!([{"kind": "expansion", "word": "0", "vector": [1, 0], "corners": forms}]);
+    let error = check(&changed).expect_err("nothing is said of the shifts");
+    assert!(error.contains("stable shifts are needed"), "{error}");
+    changed["stable_at"] = json!(["1", "0"]);
+    assert_eq!(check(&changed), Ok(vec![CellVerdict::Refuted { if_stable: true }]));
+}
+
+/// At `x = 0` the difference symbol is `(2 + z²)(2 + z)/9`, whose submasks have the common zero -2, or `1 - z + z²`, of
+/// which the cube roots of unity are zeros at `-z`: either is enough to say nothing.
+#[test]
+fn both_reasons_for_unstable_shifts_are_excluded() {
+    let constants = [["4/9", "2/3", "4/9", "1/3", "1/9"], ["1", "0", "0", "1", "0"]];
+    for mask in constants {
+        // And x (1 - z²)².
+        let slopes = ["1", "0", "-2", "0", "1"];
+        let terms = mask.iter().zip(slopes).map(|(c, slope)| {
+            let both = [(*c, 0), (slope, 1)];
+            let occurring = both.iter().filter(|(c, _)| *c != "0");
+            json!(occurring.map(|(c, i)| json!([c, i, 0])).collect::<Vec<_>>())
+        });
+        let mut changed = map();
+        changed["family"]["mask"] = terms.collect();
+        changed["nodes"] = json!([{"kind": "undecided"}]);
+        changed["stable_at"] = json!(["1/7", "0"]);
+        assert_eq!(check(&changed), Ok(vec![CellVerdict::Undecided]), "{mask:?}");
+        changed["stable_at"] = json!(["0", "0"]);
+        let error = check(&changed).expect_err("the shifts may be unstable");
+        assert!(error.contains("not shown to be stable"), "{error}");
     }
 }
