@@ -245,13 +245,21 @@ fn formula(text: &str) -> Option<String> {
                 math.push(')');
             }
             '*' => math.push_str("\\,"),
+            '^' => {
+                let digits = rest[1..].chars().take_while(char::is_ascii_digit);
+                let exponent: String = digits.collect();
+                rest = &rest[exponent.len()..];
+                let power =
+                    if exponent.is_empty() { "^".into() } else { format!("^{{{exponent}}}") };
+                math.push_str(&power);
+            }
             '{' | '}' => {
                 math.push('\\');
                 math.push(c);
             }
             // Long masks must break somewhere.
             ',' => math.push_str(",\\allowbreak "),
-            _ if "0123456789+-/<>=[].^|@ ".contains(c) => math.push(c),
+            _ if "0123456789+-/<>=[].|@ ".contains(c) => math.push(c),
             _ => math.push_str(symbol(c)?),
         }
         rest = &rest[c.len_utf8()..];
@@ -280,6 +288,7 @@ mod tests {
         assert_eq!(formula_or_text("not 100% checked"), "not 100\\% checked");
         assert_eq!(formula_or_text("-∞ .. ≈ 0.19"), "$-\\infty \\dots \\approx 0.19$");
         assert_eq!(formula_or_text("w"), "$w$");
+        assert_eq!(formula_or_text("C^10"), "$C ^{10}$");
         assert_eq!(formula_or_text("C^12 of ^"), "C$^{12}$ of \\textasciicircum{}");
     }
 }
