@@ -33,7 +33,9 @@ impl<'a> Mesh<'a> {
         let problem = if !(2..=3).contains(&net.dimension()) {
             Some((format!("points have {} coordinates", net.dimension()), "a mesh has 2 or 3"))
         } else if mesh.count() == 0 {
-            Some(("there are no faces".into(), "a mesh has two rows and two columns at least"))
+            let hint =
+                "a mesh has two rows and two columns at least; open ones lose some at their ends";
+            Some(("there are no faces".into(), hint))
         } else if mesh.count() > u64::from(u32::MAX / 2) {
             Some((format!("there are {} faces", mesh.count()), "ask for fewer levels"))
         } else {

@@ -181,7 +181,8 @@ fn unknown(name: &str) -> Diagnostic {
         return error.with_hint(format!("write `{}`", construction.signature()));
     }
     error.with_hint(format!(
-        "{nearest}the catalogue has {}; or type a mask such as `[-w, 0, 1/2+w, 1, 1/2+w, 0, -w]`",
+        "{nearest}the catalogue has {}, and constructions such as `fourpoint(w)`; or type a mask such as \
+         `[-w, 0, 1/2+w, 1, 1/2+w, 0, -w]`",
         names.join(", ")
     ))
 }

@@ -146,7 +146,11 @@ fn missing_operator(input: &Input<'_>, factors: &[Node]) -> Diagnostic {
         let below = quoted(last.span.start..next.span.start);
         readings.push(format!("`{above}({below}*{right})`"));
     }
-    error.with_hint(format!("write {}", readings.join(" or ")))
+    let ten = match &next.token {
+        Token::Name(name) if is_power_of_ten(name) => "; powers of ten as `1/1000` or `0.001`",
+        _ => "",
+    };
+    error.with_hint(format!("write {}{ten}", readings.join(" or ")))
 }
 
 fn factor(input: &mut Input<'_>) -> Reading<Node> {

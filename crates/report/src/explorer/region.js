@@ -171,13 +171,16 @@ function verdictOnSections(map, point) {
     const verdict = interval?.verdict ?? "undecided";
     return { verdict, because: sectionText(map.continuity, section, interval) };
   }
-  return { verdict: "undecided", because: `${neededPower(map.continuity)} divides the symbol here; nothing is proved` };
+  return { verdict: "undecided", because: `${neededPower(map.continuity)} divides the symbol here; nothing is proved${ASK}` };
 }
+
+/** What to do where maps leave a point open. */
+const ASK = "; the command for the Hölder exponent, below, looks at this member alone";
 
 const REASONS = {
   norm: () => "in a piece where a norm is below 1",
   division: (n) => `in a piece where ${neededPower(n)} does not divide the symbol`,
-  "": () => "in a piece for which no proof was found",
+  "": () => `in a piece for which no proof was found${ASK}`,
 };
 const reasonText = (n, because) => REASONS[because]?.(n) ?? `in a piece decided by ${because}`;
 
@@ -193,7 +196,7 @@ function verdictOnMap(map, point, isStable) {
     return { verdict: "refuted", because: reasonText(map.continuity, refuted.because) + stable };
   }
   if (refuting.length > 0) {
-    return { verdict: "undecided", because: "refuted around here, but the shifts may be unstable" };
+    return { verdict: "undecided", because: `refuted around here, but the shifts may be unstable${ASK}` };
   }
   const because = reasons.length > 0 ? reasonText(map.continuity, "") : "outside of the box that was mapped";
   return { verdict: "undecided", because };

@@ -4,7 +4,7 @@ use maud::{Markup, html};
 
 use super::page::{Page, cited, commands, scrolling};
 use super::typeset::typeset;
-use super::{INDEX, Report, table, verdict};
+use super::{INDEX, Report, SPEED, table, verdict};
 use crate::audit::{Agreement, AuditedTable, Counts};
 use crate::families::MAPS;
 use crate::figures::FIGURES;
@@ -40,6 +40,9 @@ pub(super) fn page(report: &Report<'_>) -> Page {
                     }
                 }
                 li { a href={ (FIGURES) "/index.html" } { "Figures" } " of the paper, drawn anew" }
+                @if report.measurements.is_some() {
+                    li { a href=(SPEED) { "Speed" } ": how long it takes, beside other programs" }
+                }
                 li {
                     "All tables as one document: " a.plain href="tables.tex" { "tables.tex" }
                     "; as data: " a.plain href="tables.json" { "tables.json" }
