@@ -103,7 +103,7 @@ mod tests {
         for text in [deep.clone(), format!("\"\\\\\" , {deep}"), format!("\"\\\"\" : {deep}")] {
             assert!(scan(text.as_bytes()).is_err(), "{text}");
         }
-        assert_eq!(scan(deep[1..].as_bytes()), Ok(()));
+        assert_eq!(scan(&deep.as_bytes()[1..]), Ok(()));
         let long = "7".repeat(limits::TOKEN);
         assert_eq!(scan(long.as_bytes()), Ok(()));
         assert!(scan(format!("{long}7").as_bytes()).is_err());

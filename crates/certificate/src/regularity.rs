@@ -161,9 +161,11 @@ mod tests {
     #[test]
     fn whole_parts_and_quotients_are_rounded_as_they_should() {
         for (p, q) in (1..40).flat_map(|p| (1..40).map(move |q| (p, q))) {
-            let floor = floor_logarithm(&rational(p, q)) as i32;
-            assert!(2_f64.powi(floor) * q as f64 <= p as f64, "{p}/{q}");
-            assert!(2_f64.powi(floor + 1) * q as f64 > p as f64, "{p}/{q}");
+            let floor = floor_logarithm(&rational(p, q));
+            // 2^floor ≤ p/q < 2^(floor+1), times a power of two.
+            let sides = |e: i64| (p << (8 - e.min(0)), q << (8 + e.max(0)));
+            let [(left, below), (beside, above)] = [sides(floor), sides(floor + 1)];
+            assert!(left >= below && beside < above, "{p}/{q}");
             let [down, up] = [false, true].map(|up| divide(&integer(p), &integer(q), up));
             assert_eq!([down, up], [integer(p / q), integer(-(-p).div_euclid(q))]);
         }
