@@ -81,7 +81,8 @@ pub fn interproximate_tensions(name: &str, mask: &Normalised) -> Result<TensionC
         let message = "no smooth member of the family was found";
         return Err(Diagnostic::new("tensions", message).with_hint(hint));
     };
-    let approximating = mask.at(&summit.parameters)?.rule();
+    let smoothest = landscape.plane.in_order(&summit.parameters);
+    let approximating = mask.at(&smoothest)?.rule();
     let interpolating = mask.substitute(&fixed, &constant(&value))?;
     let degree = degrees(mask).generic().reproduction.0;
     let (lowest, highest) = mask.support();
@@ -107,7 +108,7 @@ pub fn interproximate_tensions(name: &str, mask: &Normalised) -> Result<TensionC
     let interpolating =
         parameters.iter().map(|p| if *p == fixed { &value } else { &x }).cloned().collect();
     Ok(TensionChoice {
-        approximating: summit.parameters.to_vec(),
+        approximating: smoothest.to_vec(),
         regularity: summit.regularity.clone(),
         interpolating,
         at_vertices,

@@ -35,7 +35,7 @@ pub struct Landscape {
 pub struct Summit {
     /// Where in the plane it is the smoothest.
     pub locus: Locus,
-    /// The parameters.
+    /// The parameters `u` and `v` of the plane.
     pub parameters: [Rational; 2],
     /// Its exponent, proved.
     pub regularity: Regularity,
@@ -92,7 +92,7 @@ pub fn landscape(
     for (locus, choices) in places {
         // Where eigenvalues meet the radius may escape: a place not quite so smooth does as well.
         let summit = choices.into_iter().find_map(|parameters| {
-            let member = mask.at(&parameters).ok()?;
+            let member = mask.at(&plane.in_order(&parameters)).ok()?;
             let regularity = regularity(name, &member, &Options::default()).ok()?;
             Some(Summit { locus: locus.clone(), parameters, regularity })
         });

@@ -120,6 +120,12 @@ impl Plane {
         &self.parameters
     }
 
+    /// Values of `u` and `v` in the ascending order of the parameters, in which masks take them.
+    pub fn in_order(&self, [u, v]: &[Rational; 2]) -> [Rational; 2] {
+        let exchanged = self.parameters[1] < self.parameters[0];
+        if exchanged { [v.clone(), u.clone()] } else { [u.clone(), v.clone()] }
+    }
+
     /// What the family is called.
     pub fn name(&self) -> &str {
         &self.name
@@ -255,18 +261,19 @@ impl Plane {
         }
         if !self.is_affine() {
             let mut masks = Vec::new();
-            let mut points = common_points(&conditions, window);
-            points.sort_by_key(|[x, y]| x.to_string().len() + y.to_string().len());
-            points.retain(|point| {
-                let mask = (!self.is_pole(point)).then(|| self.mask_at(point));
-                let is_new = mask.as_ref().is_some_and(|mask| !masks.contains(mask));
-                masks.extend(mask.filter(|_| is_new));
-                is_new
-            });
-            if points.len() > FEW {
-                return Vec::new();
-            }
-            return points.into_iter().map(Special::Mask).collect();
+            let mut few = |mut points: Vec<[Rational; 2]>| {
+                points.sort_by_key(|[x, y]| x.to_string().len() + y.to_string().len());
+                points.retain(|point| {
+                    let mask = (!self.is_pole(point)).then(|| self.mask_at(point));
+                    let is_new = mask.as_ref().is_some_and(|mask| !masks.contains(mask));
+                    masks.extend(mask.filter(|_| is_new));
+                    is_new
+                });
+                if points.len() > FEW { Vec::new() } else { points }
+            };
+            let single = few(single_points(&conditions, window));
+            let others = few(points_on_lines(&conditions, window));
+            return single.into_iter().chain(others).map(Special::Mask).collect();
         }
         let Some((origin, direction)) = common_line(&conditions) else { return Vec::new() };
         let moves = self.along(&origin, &direction).is_some_and(|[_, slope]| !slope.is_zero());
@@ -395,9 +402,8 @@ pub(crate) fn contains(window: &Window, parameters: &[Rational; 2]) -> bool {
     window.iter().zip(parameters).all(|([low, high], x)| low <= x && x <= high)
 }
 
-/// Points of a box at which polynomials in `x` and `y` vanish together: single ones, and of curves those on lines through
-/// it of one coordinate.
-fn common_points(
+/// Points of a box at which polynomials in `x` and `y` vanish together: those on lines through it of one coordinate.
+fn points_on_lines(
     conditions: &[Polynomial<Polynomial<Rational>>],
     window: &Window,
 ) -> Vec<[Rational; 2]> {
@@ -423,16 +429,18 @@ fn common_points(
             points.collect::<Vec<_>>()
         })
     };
-    let single = single_points(conditions).into_iter().filter(|point| contains(window, point));
-    let mut points: Vec<[Rational; 2]> = (0..2).flat_map(across).chain(single).collect();
+    let mut points: Vec<[Rational; 2]> = (0..2).flat_map(across).collect();
     points.sort();
     points.dedup();
     points
 }
 
-/// The single points with rational coordinates at which polynomials in `x` and `y` vanish together, where their degree is
-/// low.
-fn single_points(conditions: &[Polynomial<Polynomial<Rational>>]) -> Vec<[Rational; 2]> {
+/// Points of a box with rational coordinates at which polynomials of low degree in `x` and `y` vanish together as parts of
+/// them without a common factor do.
+fn single_points(
+    conditions: &[Polynomial<Polynomial<Rational>>],
+    window: &Window,
+) -> Vec<[Rational; 2]> {
     let [x, y] = ["x", "y"].map(Parameter::new);
     let row = |p: &Polynomial<Rational>| {
         let constants = p.map(|c| ParameterPolynomial::constant(c.clone()));
@@ -451,7 +459,7 @@ fn single_points(conditions: &[Polynomial<Polynomial<Rational>>]) -> Vec<[Ration
         }
         _ => None,
     };
-    pieces.into_iter().filter_map(rational).collect()
+    pieces.into_iter().filter_map(rational).filter(|point| contains(window, point)).collect()
 }
 
 /// The line or point where affine polynomials in `x` and `y` vanish together: a point of it, and how it

@@ -171,7 +171,8 @@ mod tests {
         assert_eq!(gcd(&a, &polynomial(&[5, -2, 3])), polynomial(&[1]));
     }
 
-    /// `x + p` and `x` are the same modulo `p`: the first or the second prime sees too much.
+    /// `x + p` and `x` are the same modulo `p`: the first prime sees too much, or, if more are needed for long coefficients,
+    /// a later one.
     #[test]
     fn primes_modulo_which_the_gcd_is_larger() {
         let primes: Vec<u64> = Primes::below_power_of_two().take(3).collect();

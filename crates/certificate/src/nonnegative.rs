@@ -70,7 +70,7 @@ mod tests {
         is_nonnegative(&p, &Rational::from(integer(1)), &mut Work::new()).unwrap()
     }
 
-    /// Negative near an end, in the middle, everywhere, and nowhere but outside of `[-1, 1]`.
+    /// Negative near an end, in the middle, everywhere, and nowhere but outside of `[-1, 1]`; zero does not count.
     #[test]
     fn all_of_the_interval_counts() {
         assert!([&[1, 2][..], &[1, -2], &[-1, 0, 4], &[-1], &[]].iter().all(|p| !holds(p)));

@@ -304,7 +304,7 @@ mod tests {
         root(&[-n, 0, 1], [rational(0, 1), rational(n, 1)])
     }
 
-    /// `(3x - 1)(x² - 2)`, `(5000x - 4999)(x² - x - 1)` and both without their rational roots.
+    /// The roots of `(3x - 1)(x² - 2)` and `(5000x - 4999)(x² - x - 1)`.
     #[test]
     fn rational_roots_are_recognised() {
         let work = &mut Work::new();

@@ -162,8 +162,8 @@ mod tests {
     fn whole_parts_and_quotients_are_rounded_as_they_should() {
         for (p, q) in (1..40).flat_map(|p| (1..40).map(move |q| (p, q))) {
             let floor = floor_logarithm(&rational(p, q));
-            // 2^floor ≤ p/q < 2^(floor+1), times a power of two.
-            let sides = |e: i64| (p << (8 - e.min(0)), q << (8 + e.max(0)));
+            // 2^floor ≤ p/q < 2^(floor+1).
+            let sides = |e: i64| (p << -e.min(0), q << e.max(0));
             let [(left, below), (beside, above)] = [sides(floor), sides(floor + 1)];
             assert!(left >= below && beside < above, "{p}/{q}");
             let [down, up] = [false, true].map(|up| divide(&integer(p), &integer(q), up));

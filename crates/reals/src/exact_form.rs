@@ -168,7 +168,7 @@ fn radical(factor: &Polynomial<Integer>, x: &RealAlgebraic) -> Radical {
     }
 }
 
-/// `n = k² d` with the squares of primes below 1000 taken out.
+/// `n = k² d` with the squares of primes below 1000 taken out; `n` is no square.
 fn split_square(n: Integer) -> (Integer, Integer) {
     let (mut outside, mut inside) = (integer(1), n);
     for k in 2..1000 {

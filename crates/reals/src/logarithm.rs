@@ -115,19 +115,20 @@ mod tests {
         x.power(q) >= power
     }
 
-    /// Bounds rounded outwards to fractions of `2^12` hold the logarithm still, and are as close as they were.
+    /// Bounds are as close as they should be, and rounded outwards to fractions of `2^12` they hold the logarithm.
     #[test]
     fn powers_prove_the_bounds() {
-        let q = 1 << 12;
+        let parts = 1 << 12;
         let numbers = [(3, 2), (9, 8), (2, 9), (6, 1), (1, 6), (1001, 1), (1, 1001), (1023, 1024)];
         for (x, base) in numbers.iter().flat_map(|&(p, q)| [2, 3, 10].map(|b| (rational(p, q), b)))
         {
             for bits in [0, 3] {
                 let (lower, upper) = logarithm(&x, base, bits);
                 assert!(&upper - &lower <= rational(1, 1 << bits), "{x} {base} {bits}");
-                let [below, above] = [(lower * integer(q)).floor(), (upper * integer(q)).ceil()];
-                assert!(is_at_least(&x, base, below.numer(), q as u32), "{x} {base} {bits}");
-                assert!(!is_at_least(&x, base, above.numer(), q as u32), "{x} {base} {bits}");
+                let [below, above] =
+                    [(lower * integer(parts)).floor(), (upper * integer(parts)).ceil()];
+                assert!(is_at_least(&x, base, below.numer(), parts as u32), "{x} {base} {bits}");
+                assert!(!is_at_least(&x, base, above.numer(), parts as u32), "{x} {base} {bits}");
             }
         }
     }

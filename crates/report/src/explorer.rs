@@ -2,8 +2,8 @@
 //! curves.
 //!
 //! All that the page says about smoothness and degrees is found here and embedded as data (`data`, `smoothness`); the
-//! page evaluates masks at a rational point, tests which piece of a certified map holds it, both in big
-//! integers, and draws in floats. Its parts are plain files in `explorer/`, put together at compile time:
+//! page evaluates masks at a rational point, tests which piece of a certified map holds it and whether it is a member of which
+//! more is known, all in big integers, and draws in floats. Its parts are plain files in `explorer/`, put together at compile time:
 //!
 //! | file | concern |
 //! |---|---|
@@ -53,7 +53,8 @@ impl Explorer {
     /// maps and ranges refuse.
     ///
     /// # Cost
-    /// That of the maps of all orders, or of the ranges: seconds to minutes.
+    /// That of the maps of all orders and of a landscape, or of the ranges; and for each of a few members that of its
+    /// regularity: seconds to minutes.
     pub fn new(
         scheme: &Scheme,
         options: &ExplorerOptions,

@@ -11,7 +11,7 @@ use serde_json::{Value, json};
 use crate::frame::{Frame, HEIGHT, LEFT, TOP, WIDTH};
 use crate::grid::{Cell, Document, Grid};
 use crate::interproximate::floored;
-use crate::map::{coordinates, parse_window};
+use crate::map::{named_coordinates, parse_window};
 use crate::number::rational_number;
 use crate::regularity::{bounds_text, exact_text, outward};
 use crate::svg::{SHADES, halo, place};
@@ -74,7 +74,7 @@ impl HolderMap {
         remarks.extend(missed.iter().map(|locus| {
             format!("{}: no bounds for the exponent of the smoothest member", locus_text(locus))
         }));
-        remarks.push(format!("coordinates of lines: {}", coordinates(plane).join(", ")));
+        remarks.push(format!("coordinates of lines: {}", named_coordinates(plane).join(", ")));
         let rows = summits.iter().map(row).collect();
         let grid = Grid { id: "holder".into(), caption, header, rows, remarks };
         Document { grids: vec![grid], summary: None, json: self.json() }

@@ -226,8 +226,8 @@ fn formula(text: &str) -> Option<String> {
             continue;
         }
         if rest.starts_with("..") {
-            math.push_str("\\dots");
-            rest = &rest[2..];
+            math.push_str("\\dots ");
+            rest = rest[2..].trim_start();
             continue;
         }
         match c {
@@ -287,6 +287,7 @@ mod tests {
         );
         assert_eq!(formula_or_text("not 100% checked"), "not 100\\% checked");
         assert_eq!(formula_or_text("-∞ .. ≈ 0.19"), "$-\\infty \\dots \\approx 0.19$");
+        assert_eq!(formula_or_text("0..w"), "$0\\dots w$");
         assert_eq!(formula_or_text("w"), "$w$");
         assert_eq!(formula_or_text("C^10"), "$C ^{10}$");
         assert_eq!(formula_or_text("C^12 of ^"), "C$^{12}$ of \\textasciicircum{}");

@@ -162,7 +162,7 @@ impl Maps {
         }
         remarks.push(format!(
             "coordinates of the pieces: {}",
-            coordinates(&self.maps[0].plane).join(", ")
+            named_coordinates(&self.maps[0].plane).join(", ")
         ));
         remarks.push("proof checked".into());
         remarks
@@ -207,7 +207,7 @@ impl Maps {
             })
             .collect();
         let [proved, refuted, undecided] = map.areas();
-        let [x, y] = coordinates(&map.plane);
+        let [x, y] = named_coordinates(&map.plane);
         json!({
             "scheme": self.scheme,
             "parameters": [u.name(), v.name()],
@@ -232,26 +232,34 @@ fn corner_texts(polygon: &Polygon) -> Vec<[String; 2]> {
     polygon.points().iter().map(|p| p.each_ref().map(ToString::to_string)).collect()
 }
 
-/// Whether a piece is refuted only where shifts are stable.
-/// Whether a piece on which C^n is proved has a side along the edge of the box.
+/// Whether a piece on which C^n is proved has a side along the edge of the box, or a corner that is a whole side of it, as the
+/// factor of the chart vanishes there. Lines and points beyond the order are not looked at.
 fn reaches_the_edge(map: &Map) -> bool {
-    let window = map.window();
+    let ([across, up], factor) = (map.window(), map.plane.factor());
+    let l = |x: &Rational| factor.map_or_else(Rational::one, |l| l.evaluate(x));
     let is_along = |a: &[Rational; 2], b: &[Rational; 2]| {
-        (0..2).any(|i| a[i] == b[i] && window[i].contains(&a[i]))
+        let is_end = across.contains(&a[0]);
+        let is_constant = |v: &Rational| [a, b].iter().all(|p| p[1] == v * l(&p[0]));
+        (is_end && (a[0] == b[0] || l(&a[0]).is_zero())) || up.iter().any(is_constant)
     };
     map.cells.iter().filter(|cell| cell.verdict == CellVerdict::Proved).any(|cell| {
         let points = cell.polygon.points();
-        let corners: Vec<_> = points.iter().map(|point| map.plane.parameters_at(point)).collect();
-        let next = corners.iter().cycle().skip(1);
-        corners.iter().zip(next).any(|pair| matches!(pair, (Some(a), Some(b)) if is_along(a, b)))
+        points.iter().zip(points.iter().cycle().skip(1)).any(|(a, b)| is_along(a, b))
     })
 }
 
+/// Whether a piece is refuted only where shifts are stable.
 fn needs_stability(map: &Map) -> bool {
     map.cells.iter().any(|cell| cell.verdict == CellVerdict::Refuted { if_stable: true })
 }
 
 /// `x = alpha` and `y = beta*(1 - alpha)`.
+pub(crate) fn named_coordinates(plane: &Plane) -> [String; 2] {
+    let [x, y] = coordinates(plane);
+    [format!("x = {x}"), format!("y = {y}")]
+}
+
+/// `alpha` and `beta*(1 - alpha)`.
 pub(crate) fn coordinates(plane: &Plane) -> [String; 2] {
     let [u, v] = plane.parameters();
     let y = plane.factor().map_or_else(
@@ -259,10 +267,11 @@ pub(crate) fn coordinates(plane: &Plane) -> [String; 2] {
         |l| {
             let affine = ParameterPolynomial::constant(l.coefficient(0))
                 .plus(&ParameterPolynomial::parameter(u).scaled(&l.coefficient(1)));
-            format!("{v}*({affine})")
+            let affine = affine.to_string();
+            if affine.contains(' ') { format!("{v}*({affine})") } else { format!("{v}*{affine}") }
         },
     );
-    [format!("x = {u}"), format!("y = {y}")]
+    [u.to_string(), y]
 }
 
 /// Longer polynomials are not printed in full.

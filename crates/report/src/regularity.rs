@@ -19,10 +19,8 @@ pub fn regularity_table(scheme: &Scheme, found: &Regularity) -> Document {
     };
     let continuity = match (found.continuity, &found.upper) {
         (Some(n), _) => format!("C^{n}"),
-        // The joint spectral radius of the difference scheme is at least one.
-        (None, Some(upper)) if *upper <= Rational::zero() && found.factor.is_none() => {
-            "no continuous limit".into()
-        }
+        // The joint spectral radius of the difference scheme is at least one. Masks are reduced only if they converge.
+        (None, Some(upper)) if *upper <= Rational::zero() => "no continuous limit".into(),
         (None, _) => "not proved to converge".into(),
     };
     let divided = format!("factors {} divided out", geometric_factor(arity));

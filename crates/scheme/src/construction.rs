@@ -76,11 +76,8 @@ const CONSTRUCTIONS: [Construction; 13] = [
         description: "cubic precision: (1+z)^k (1 + k/2 δ), k ≥ 4, normalised and centred",
         source: Some("Hormann and Sabin 2008"),
         build: |arguments, _| {
-            let [k] = whole_numbers(arguments)?;
-            if k < LEAST_HORMANN_SABIN {
-                let message = format!("hormannsabin({k}) has too few factors 1 + z");
-                return Err(Diagnostic::new("construction", message).with_hint("4 to 60 do"));
-            }
+            let [k] = arguments else { return Err(wrong_count("hormannsabin(k)")) };
+            let k: u32 = whole_number(k, LEAST_HORMANN_SABIN..=LARGEST_NUMBER)?;
             pseudo_spline(k / 2, 1, k % 2 == 1)
         },
     },

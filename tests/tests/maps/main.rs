@@ -487,6 +487,22 @@ fn the_smoothest_a3_is_a_b_spline() {
     assert!(*highest <= upper + rational(1, 100), "{highest}");
 }
 
+/// The same with names in the other order: the plane takes `a` for `y`, masks take it first.
+#[test]
+fn names_do_not_change_the_smoothest() {
+    let parameter =
+        |name: &str| ParameterFraction::from(ParameterPolynomial::parameter(&Parameter::new(name)));
+    let renamed = [("alpha", "b"), ("beta", "a")]
+        .map(|(old, new)| Substitution::new(Parameter::new(old), parameter(new)));
+    let family = scheme("a3").with(&renamed).unwrap();
+    let window = window([[(0, 1), (1, 4)], [(0, 1), (1, 8)]]);
+    let found = landscape("a3", family.mask(), &window, [2, 2]).unwrap();
+    assert_eq!(found.plane.parameters().each_ref().map(Parameter::name), ["b", "a"]);
+    let highest = found.highest().unwrap();
+    assert_eq!(highest.parameters, [rational(3, 16), rational(1, 26)]);
+    assert_eq!(highest.regularity.lower, rational(5, 1));
+}
+
 /// Pieces have straight edges in `(x, y)`, but their areas are meant in the parameters.
 #[test]
 fn areas_make_up_the_box_of_the_parameters() {

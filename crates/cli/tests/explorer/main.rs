@@ -342,7 +342,7 @@ fn members_by_themselves() {
         agreed(&mut browser, &maps, &point);
     }
     verdicts(&mut browser, &numbers(&["-7/8", "7/8"]));
-    assert!(browser.text("#curve-note").contains("There is no limit: C⁰ is refuted here"));
+    assert!(browser.text("#curve-note").contains("No continuous limit: C⁰ is refuted here"));
     assert_eq!(browser.errors, [""; 0]);
 }
 

@@ -34,12 +34,14 @@ pub(super) fn of(
     };
     progress("interpolating members");
     let tensions = tensions(scheme, &parameters);
-    progress("the smoothest member");
     match &tensions {
         Tensions::Chosen(choice) => {
             smoothest = Some(in_order(mask, &parameters, &choice.approximating));
         }
-        _ if parameters.len() == 2 => smoothest = self::smoothest(scheme, options),
+        _ if parameters.len() == 2 => {
+            progress("the smoothest member");
+            smoothest = self::smoothest(scheme, options);
+        }
         _ => {}
     }
     // It may be outside of a box that was asked for.

@@ -145,14 +145,7 @@ const neededPower = (n) => {
 };
 
 /** The coordinates of the plane in which the pieces are polygons, in the parameters: `(α, β (1 - α))`. */
-const coordinates = (() => {
-  const [u, v] = parameters.map(letter);
-  if (!factor) return `(${u}, ${v})`;
-  const [constant, slope] = factor;
-  const size = slope.n < 0n ? minus(ZERO, slope) : slope;
-  const term = `${slope.n < 0n ? "-" : "+"} ${equal(size, ONE) ? "" : `${toText(size)} `}${u}`;
-  return `(${u}, ${v} (${toText(constant)} ${term}))`;
-})();
+const coordinates = smoothness.coordinates?.replaceAll(/[A-Za-z_]\w*/g, letter).replaceAll("*", " ");
 
 function sectionText(n, { origin, direction }, interval) {
   const [start, way] = [origin, direction].map((p) => `(${p.map(toText).join(", ")})`);
@@ -171,16 +164,13 @@ function verdictOnSections(map, point) {
     const verdict = interval?.verdict ?? "undecided";
     return { verdict, because: sectionText(map.continuity, section, interval) };
   }
-  return { verdict: "undecided", because: `${neededPower(map.continuity)} divides the symbol here; nothing is proved${ASK}` };
+  return { verdict: "undecided", because: `${neededPower(map.continuity)} divides the symbol here; nothing is proved` };
 }
-
-/** What to do where maps leave a point open. */
-const ASK = "; the command for the Hölder exponent, below, looks at this member alone";
 
 const REASONS = {
   norm: () => "in a piece where a norm is below 1",
   division: (n) => `in a piece where ${neededPower(n)} does not divide the symbol`,
-  "": () => `in a piece for which no proof was found${ASK}`,
+  "": () => "in a piece for which no proof was found",
 };
 const reasonText = (n, because) => REASONS[because]?.(n) ?? `in a piece decided by ${because}`;
 
@@ -196,7 +186,7 @@ function verdictOnMap(map, point, isStable) {
     return { verdict: "refuted", because: reasonText(map.continuity, refuted.because) + stable };
   }
   if (refuting.length > 0) {
-    return { verdict: "undecided", because: `refuted around here, but the shifts may be unstable${ASK}` };
+    return { verdict: "undecided", because: "refuted around here, but the shifts may be unstable" };
   }
   const because = reasons.length > 0 ? reasonText(map.continuity, "") : "outside of the box that was mapped";
   return { verdict: "undecided", because };
@@ -209,6 +199,8 @@ function verdictOnLine(range, x) {
   return { verdict: interval.verdict, because: interval.text + (because ? `; ${because}` : "") };
 }
 
+/** What to do where a point is left open. */
+const ASK = "the command for the Hölder exponent, below, looks at this member alone";
 const alone = (because) => ["this member alone", because].filter((text) => text !== "").join(": ");
 
 /** The verdicts with those on the member alone where they leave something undecided, or end. */
@@ -219,9 +211,13 @@ function withMember(verdicts, parameters) {
     return isOpen && known[n] ? { ...known[n], isAlone: true, because: alone(known[n].because) } : verdicts[n];
   });
   const rough = known.find(({ verdict }) => verdict === "refuted");
-  return both.map((found) => rough && found.continuity > rough.continuity && found.verdict === "undecided"
-    ? { ...found, verdict: "refuted", because: `${order(rough.continuity)} is refuted` }
-    : found);
+  return both.map((found) => {
+    if (found.verdict !== "undecided") return found;
+    if (rough && found.continuity > rough.continuity) {
+      return { ...found, verdict: "refuted", because: `${order(rough.continuity)} is refuted` };
+    }
+    return { ...found, because: [found.because, ASK].filter((text) => text !== "").join("; ") };
+  });
 }
 
 /** For each order, ascending, the verdict at the parameters and its reason. */

@@ -23,14 +23,21 @@ use super::ExplorerOptions;
 use super::data::{terms, texts};
 use crate::audit::short;
 use crate::interproximate::floored;
-use crate::map::{MOST_ORDERS, because, parse_window, verdict};
+use crate::map::{MOST_ORDERS, because, coordinates, parse_window, verdict};
 use crate::map_picture::proved_on;
 use crate::regularity::{exact_text, outward};
 use crate::sharp::{proof_text, sharp_range, undecided_because, word, words};
 use crate::svg::place;
 
-/// The verdicts on a scheme without parameters, up to the first order that is not proved.
+/// What is said of a scheme without parameters.
 pub(super) fn single(scheme: &Scheme, progress: &dyn Fn(&str)) -> Result<Value, Diagnostic> {
+    let mut data = alone(scheme, progress)?;
+    data["kind"] = "scheme".into();
+    Ok(data)
+}
+
+/// The verdicts on one member up to the first order that is not proved, and its exponent.
+fn alone(scheme: &Scheme, progress: &dyn Fn(&str)) -> Result<Value, Diagnostic> {
     let mut verdicts = Vec::new();
     for n in 0..MOST_ORDERS {
         progress(&format!("C^{n}"));
@@ -54,7 +61,7 @@ pub(super) fn single(scheme: &Scheme, progress: &dyn Fn(&str)) -> Result<Value, 
             (None, None) => format!("at least {}", floored(&lower)),
         }
     });
-    Ok(json!({"kind": "scheme", "verdicts": verdicts, "holder": holder}))
+    Ok(json!({"verdicts": verdicts, "holder": holder}))
 }
 
 /// Members of a family that stand out, in the order of the points, each with what is proved of it alone. The map may leave
@@ -74,7 +81,7 @@ pub(super) fn members(
             .map(|(p, x)| Substitution::new(p.clone(), value(x)))
             .collect();
         let quiet = |order: &str| progress(&format!("member {}, {order}", k + 1));
-        let mut member = single(&scheme.with(&settings).ok()?, &quiet).ok()?;
+        let mut member = alone(&scheme.with(&settings).ok()?, &quiet).ok()?;
         member["point"] = json!(texts(point));
         Some(member)
     };
@@ -211,6 +218,7 @@ pub(super) fn plane(
         "kind": "plane",
         "words": map_words(&maps[0], &options.fineness),
         "window": window.each_ref().map(|span| texts(span)),
+        "coordinates": format!("({})", coordinates(plane).join(", ")),
         "factor": plane.factor().map(|l| texts(&[l.coefficient(0), l.coefficient(1)])),
         "order": order,
         "difference": difference,
@@ -258,9 +266,9 @@ fn centre(map: &Map) -> Option<[Rational; 2]> {
     let boxes = proved.map(|cell| {
         let points = cell.polygon.points();
         [0, 1].map(|i| {
-            let coordinates = || points.iter().map(|p| p[i].clone());
-            let low = coordinates().min().expect("a polygon has corners");
-            [low, coordinates().max().expect("a polygon has corners")]
+            let along = || points.iter().map(|p| p[i].clone());
+            let low = along().min().expect("a polygon has corners");
+            [low, along().max().expect("a polygon has corners")]
         })
     });
     let extent = |[[a, b], [c, d]]: &[[Rational; 2]; 2]| (b - a) * (d - c);
@@ -308,14 +316,14 @@ fn form(p: &Polynomial<Polynomial<Rational>>) -> Value {
 }
 
 fn section(section: &Section) -> Value {
-    let coordinates = |p: &[Number; 2]| p.each_ref().map(|c| c.0.to_string());
+    let numbers = |p: &[Number; 2]| p.each_ref().map(|c| c.0.to_string());
     let mut parts = intervals(&proved_on(section), "proved", "t");
     if let Conclusion::Continuity { refuted, .. } = &section.certificate.conclusion {
         parts.extend(intervals(&region_of(refuted), "refuted", "t"));
     }
     json!({
-        "origin": coordinates(&section.origin),
-        "direction": coordinates(&section.direction),
+        "origin": numbers(&section.origin),
+        "direction": numbers(&section.direction),
         "intervals": parts,
     })
 }

@@ -279,7 +279,7 @@ function showCurve(member, verdicts) {
   const ends = closed ? "" : "; the ends are reflected";
   const why = isTagged ? "for curves without interpolated vertices" : `where ${order(2)} is proved`;
   const combs = canComb ? "" : ` Curvature combs are drawn ${why}.`;
-  const diverges = verdicts[0]?.verdict === "refuted" ? ` There is no limit: ${order(0)} is refuted here.` : "";
+  const diverges = verdicts[0]?.verdict === "refuted" ? ` No continuous limit: ${order(0)} is refuted here.` : "";
   const note = `${curve.length} points in floats${ends}.${diverges}${combs}`;
   byId("curve-note").textContent = member ? note : "There is no curve: the family has a pole here.";
   byId("tag").setAttribute("aria-pressed", tags[selected] === 1);
