@@ -327,6 +327,102 @@ fn smoothness_is_refuted_where_shifts_are_stable() {
     assert!(error.contains("stable shifts are needed"), "{error}");
     changed["stable_at"] = json!(["1", "0"]);
     assert_eq!(check(&changed), Ok(vec![CellVerdict::Refuted { if_stable: true }]));
+    // The eigenvalue 4 of two letters together is one of 2 a letter: the scheme may converge still.
+    let word = |word: &str| json!({"kind": "word", "word": word, "block": 0, "eigenvalue": "positive", "radius": 1});
+    for text in ["0", "00"] {
+        changed["nodes"] = json!([word(text)]);
+        assert_eq!(check(&changed), Ok(vec![CellVerdict::Refuted { if_stable: true }]), "{text}");
+    }
+    changed.as_object_mut().expect("fields").remove("stable_at");
+    let error = check(&changed).expect_err("nothing is said of the shifts");
+    assert!(error.contains("stable shifts are needed"), "{error}");
+}
+
+/// In `of_two_rows` at `x = 1/2` each letter maps its form below itself, but not below that of the next letter.
+#[test]
+fn forms_of_a_word_follow_each_other() {
+    let grows = |word: &str, forms: &[[i64; 3]]| {
+        let corners = vec![forms; 4];
+        json!({"kind": "expansion", "word": word, "vector": [1, 0], "corners": corners})
+    };
+    let (form, turned) = ([-2, 1, 4], [4, 1, -2]);
+    let ends = ["1/2", "9/16"];
+    let refuted = Ok(vec![CellVerdict::Refuted { if_stable: false }]);
+    assert_eq!(of_two_rows(ends, grows("00", &[form, form])), refuted);
+    let error = of_two_rows(ends, grows("01", &[form, turned])).expect_err("another product");
+    assert!(error.contains("mapped below"), "{error}");
+}
+
+/// `(1+z) (3/10-x + z/10 + (6/10+x) z²)` is not symmetric: the form is mapped below itself by the first letter and by its mirror
+/// image, but not by the second letter.
+#[test]
+fn all_letters_count_where_masks_are_not_symmetric() {
+    let proved = |form: [i64; 3]| {
+        let mut changed = map();
+        let of = |c: &str, slope: &str| json!([[c, 0, 0], [slope, 1, 0]]);
+        changed["family"]["mask"] =
+            json!([of("3/10", "-1"), of("2/5", "-1"), of("7/10", "1"), of("3/5", "1")]);
+        changed["box"][0] = json!(["0", "1/100"]);
+        changed["nodes"] = json!([{"kind": "ellipsoids", "memory": 0, "corners": vec![[form]; 4]}]);
+        check(&changed)
+    };
+    assert_eq!(proved([1, 0, 1]), Ok(vec![CellVerdict::Proved]));
+    let error = proved([1, 0, 20]).expect_err("the second letter grows");
+    assert!(error.contains("mapped below"), "{error}");
+}
+
+/// `[y, 1/2, 1-2y, 1/2, y]` with `y = v (1 - 2u)`: the box of the parameters is one part of the plane, or two where the factor
+/// vanishes inside.
+fn chart(span: [&str; 2], roots: usize) -> Value {
+    let mut changed = map();
+    let plane = |c: &str| json!([[c, 0, 1]]);
+    let chart = |c: &str, slope: &str| json!([[c, 0, 1], [slope, 1, 1]]);
+    let half = json!([["1/2", 0, 0]]);
+    let middle = |terms: Value| {
+        let mut all = vec![json!(["1", 0, 0])];
+        all.extend(terms.as_array().expect("terms").iter().cloned());
+        json!(all)
+    };
+    let [outer, inner] = [plane("1"), middle(plane("-2"))];
+    changed["family"]["mask"] = json!([outer, half, inner, half, outer]);
+    let [outer, inner] = [chart("1", "-2"), middle(chart("-2", "4"))];
+    changed["family"]["chart"] =
+        json!({"factor": ["1", "-2"], "mask": [outer, half, inner, half, outer]});
+    changed["box"] = json!([span, ["-1/10", "1/10"]]);
+    changed["roots"] = (0..roots).collect();
+    changed["nodes"] = json!(vec![json!({"kind": "norm"}); roots]);
+    changed
+}
+
+#[test]
+fn boxes_of_a_chart_are_cut_where_its_factor_vanishes() {
+    for (span, parts) in [
+        (["0", "1"], 2),
+        (["0", "1/2"], 1),
+        (["1/2", "1"], 1),
+        (["0", "2/5"], 1),
+        (["3/5", "1"], 1),
+        (["-1/10", "7/8"], 2),
+    ] {
+        assert_eq!(check(&chart(span, parts)), Ok(vec![CellVerdict::Proved; parts]), "{span:?}");
+        assert!(check(&chart(span, 3 - parts)).is_err(), "{span:?}");
+    }
+}
+
+#[test]
+fn charts_are_about_the_same_masks() {
+    for (place, part, because) in [
+        ("factor", json!(["1", "-1"]), "not those in the plane"),
+        ("factor", json!(["1"]), "not affine"),
+        ("factor", json!(["1", "-2", "1"]), "not affine"),
+        ("mask", json!(vec![json!([["1", 0, 0]]); 4]), "different lengths"),
+        ("mask", json!(vec![json!([["1", 0, 0]]); 5]), "not those in the plane"),
+    ] {
+        let mut changed = chart(["0", "2/5"], 1);
+        changed["family"]["chart"][place] = part;
+        let error = check(&changed).expect_err("another chart");
+        assert!(error.contains(because), "{place}: {error}");
+    }
 }
 
 /// At `x = 0` the difference symbol is `(2 + z²)(2 + z)/9`, whose submasks have the common zero -2, or `1 - z + z²`, of
