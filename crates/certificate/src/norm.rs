@@ -169,6 +169,8 @@ mod tests {
             let reversed: Vec<i64> = form.into_iter().rev().collect();
             assert_eq!(is_less_than_one(&reversed), holds);
         }
+        // b u v², at most 4 b / 27 at two thirds, which halves never come to.
+        assert!(is_less_than_one(&[0, 0, 670, 0]) && !is_less_than_one(&[0, 0, 675, 0]));
         for ends in [[100, 0], [0, 100], [-100, 0], [0, -100]] {
             assert!(!is_less_than_one(&ends));
         }

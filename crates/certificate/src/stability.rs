@@ -274,6 +274,22 @@ mod tests {
         Scheme::new(&family, &mut Work::new()).unwrap()
     }
 
+    /// `(1-z)² (2+z)` and `5 (1-z)` have one factor `1-z` in common; of zero only a constant is left.
+    #[test]
+    fn common_zeros_at_one_are_taken_out() {
+        let without = |p: &[i64], q: &[i64]| {
+            without_zeros_at_one([p, q].map(|part| part.iter().map(|&c| integer(c)).collect()))
+        };
+        let pair = |p: &[i64], q: &[i64]| {
+            [p, q].map(|part| part.iter().map(|&c| integer(c)).collect::<Vec<_>>())
+        };
+        assert_eq!(without(&[2, -3, 0, 1], &[5, -5, 0, 0]), pair(&[2, -1, -1], &[5, 0, 0]));
+        assert_eq!(without(&[1, -2, 1], &[0, 0, 0]), pair(&[1], &[0]));
+        assert_eq!(without(&[1, -1], &[1, 1]), pair(&[1, -1], &[1, 1]));
+        assert_eq!(without(&[1, 1], &[1, -1]), pair(&[1, 1], &[1, -1]));
+        assert_eq!(without(&[0, 0, 0], &[0, 0, 0]), pair(&[0], &[0]));
+    }
+
     /// The root of a polynomial between two numbers.
     fn root(polynomial: [&str; 3], from: &str, to: &str) -> Real {
         let number = |text: &str| Number(parse_rational(text).unwrap());

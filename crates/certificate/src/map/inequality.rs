@@ -224,6 +224,56 @@ mod tests {
         }
     }
 
+    /// One entry is changed in a matrix equal to its half turn.
+    #[test]
+    fn matrices_that_are_not_equal_to_their_half_turn_stay_whole() {
+        for n in 2..7 {
+            for changed in 0..n * n {
+                let plain = |i: usize, j: usize| ((3 * i * i + 5 * j + i * j) % 11 + 1) as i64;
+                let matrix = Matrix::from_fn(n, n, |i, j| {
+                    let extra = i64::from(i * n + j == changed);
+                    constant(plain(i, j) + plain(n - 1 - i, n - 1 - j) + extra)
+                });
+                let is_middle = 2 * changed + 1 == n * n;
+                let blocks = blocks(matrix.clone());
+                assert_eq!(blocks.len(), if is_middle { 2 } else { 1 }, "{n} {changed}");
+                let one = Polynomial::constant(constant(1));
+                let product = blocks.iter().map(characteristic);
+                let product = product.fold(one, |p: Polynomial<Form>, q| p.times(&q));
+                assert_eq!(product, characteristic(&matrix), "{n} {changed}");
+            }
+        }
+    }
+
+    /// A polynomial has the sign of the denominator if this comes in an odd power: not for pairs, nor for two rows.
+    #[test]
+    fn signs_of_denominators() {
+        let value = |entries: &[&[i64]], eigenvalue, sign: i64| {
+            let n = entries.len();
+            let matrix = Matrix::from_fn(n, n, |i, j| constant(entries[i][j]));
+            let blocks = Blocks {
+                matrices: vec![matrix],
+                denominator: constant(2),
+                sign: constant(sign),
+                length: 1,
+            };
+            blocks
+                .polynomial(0, eigenvalue, 1, &mut Work::new())
+                .unwrap()
+                .coefficient(0)
+                .coefficient(0)
+        };
+        let two: [&[i64]; 2] = [&[1, 1], &[0, -1]];
+        let three: [&[i64]; 3] = [&[1, 1, 0], &[0, -1, 1], &[0, 0, 1]];
+        for eigenvalue in [Eigenvalue::Positive, Eigenvalue::Negative] {
+            assert_eq!(value(&two, eigenvalue, -1), value(&two, eigenvalue, 1));
+            assert_eq!(value(&three, eigenvalue, -1), -value(&three, eigenvalue, 1));
+        }
+        for entries in [&two[..], &three] {
+            assert_eq!(value(entries, Eigenvalue::Pair, -1), value(entries, Eigenvalue::Pair, 1));
+        }
+    }
+
     /// The eigenvalues 3, -5 and 2 of a triangular matrix, over the denominator 2.
     #[test]
     fn signs_tell_large_eigenvalues() {

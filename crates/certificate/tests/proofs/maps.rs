@@ -116,6 +116,8 @@ fn hostile_parts() {
         ("/family/mask", json!(vec![json!([["1/100", 0, 0]]); 201]), "too long"),
         ("/family/mask/0", json!([["1", 7, 0]]), "degree above 6"),
         ("/family/mask/0", json!([["1", u32::MAX, 0]]), "degree above 6"),
+        ("/family/mask/0", json!([["1", 4, 4]]), "degree above 6"),
+        ("/family/mask/0", json!([["1", 6, 1]]), "degree above 6"),
         ("/family/mask/0", json!(vec![json!(["1/100", 1, 0]); 101]), "more than 100 terms"),
         ("/family/mask/0", json!([["2", 1, 0]]), "does not sum to one"),
         ("/family/denominator", json!(vec![json!(["1", 1, 0]); 101]), "more than 100 terms"),
@@ -338,18 +340,21 @@ fn smoothness_is_refuted_where_shifts_are_stable() {
     assert!(error.contains("stable shifts are needed"), "{error}");
 }
 
-/// In `of_two_rows` at `x = 1/2` each letter maps its form below itself, but not below that of the next letter.
+/// In `of_two_rows` the letters are `A` and its mirror image `A J`. Each maps its form below itself, but not below that of the next
+/// letter.
 #[test]
 fn forms_of_a_word_follow_each_other() {
     let grows = |word: &str, forms: &[[i64; 3]]| {
         let corners = vec![forms; 4];
         json!({"kind": "expansion", "word": word, "vector": [1, 0], "corners": corners})
     };
-    let (form, turned) = ([-2, 1, 4], [4, 1, -2]);
-    let ends = ["1/2", "9/16"];
+    let (form, other) = ([-20, 13, 40], [-10, 0, -3]);
+    let ends = ["3/4", "13/16"];
     let refuted = Ok(vec![CellVerdict::Refuted { if_stable: false }]);
+    assert_eq!(of_two_rows(ends, grows("0", &[form])), refuted);
+    assert_eq!(of_two_rows(ends, grows("1", &[other])), refuted);
     assert_eq!(of_two_rows(ends, grows("00", &[form, form])), refuted);
-    let error = of_two_rows(ends, grows("01", &[form, turned])).expect_err("another product");
+    let error = of_two_rows(ends, grows("01", &[form, other])).expect_err("another product");
     assert!(error.contains("mapped below"), "{error}");
 }
 
