@@ -283,11 +283,11 @@ impl Letters {
         letters(word, self.pairs.len(), limits::WORD)
     }
 
-    /// `(N, n)` with `B_ε(x) = N / n` for a letter, `n` the same for all.
-    pub fn at(&self, letter: usize, x: &Rational) -> (Vec<Integer>, Integer) {
+    /// `B_ε(x)` times the denominators, of the letters and of `x`.
+    pub fn numerators_at(&self, letter: usize, x: &Rational) -> Vec<Integer> {
         let [p, q] = &self.pairs[letter];
         let entry = |(p, q): (&Integer, &Integer)| p * x.denom() + q * x.numer();
-        (p.iter().zip(q).map(entry).collect(), &self.denominator * x.denom())
+        p.iter().zip(q).map(entry).collect()
     }
 
     /// The bit length of the entries.

@@ -21,7 +21,7 @@ impl Position {
     /// The matrices at a rational number.
     pub fn exact(letters: &Letters, x: &Rational, work: &mut Work) -> Check<Self> {
         spend(letters, x, work)?;
-        let all = (0..letters.pairs.len()).map(|letter| letters.at(letter, x).0);
+        let all = (0..letters.pairs.len()).map(|letter| letters.numerators_at(letter, x));
         let denominator = &letters.denominator * x.denom();
         Ok(Position { matrices: all.collect(), denominator, error: Integer::from(0) })
     }
