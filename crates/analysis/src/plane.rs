@@ -451,12 +451,10 @@ fn single_points(
     if conditions.iter().any(|c| c.degree() > Some(SOLVED)) {
         return Vec::new();
     }
-    let pieces = common_zero_set(&conditions, &[x.clone(), y.clone()]).unwrap_or_default();
+    let plane = [x, y];
+    let pieces = common_zero_set(&conditions, &plane).unwrap_or_default();
     let rational = |piece: Component| match piece {
-        Component::Point(point) => {
-            let at = |p: &Parameter| point.coordinates().get(p)?.as_rational().cloned();
-            Some([at(&x)?, at(&y)?])
-        }
+        Component::Point(point) => point.rational_coordinates(&plane)?.try_into().ok(),
         _ => None,
     };
     pieces.into_iter().filter_map(rational).filter(|point| contains(window, point)).collect()

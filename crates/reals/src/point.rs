@@ -29,6 +29,11 @@ impl Point {
         &self.coordinates
     }
 
+    /// The coordinates in the order of the parameters; `None` unless all are there and rational.
+    pub fn rational_coordinates(&self, parameters: &[Parameter]) -> Option<Vec<Rational>> {
+        parameters.iter().map(|p| self.coordinates.get(p)?.as_rational().cloned()).collect()
+    }
+
     /// The exact sign of `polynomial` here.
     ///
     /// # Panics

@@ -343,6 +343,11 @@ fn members_by_themselves() {
     }
     verdicts(&mut browser, &numbers(&["-7/8", "7/8"]));
     assert!(browser.text("#curve-note").contains("No continuous limit: C⁰ is refuted here"));
+    // Names in the other order: the plane of `a3` takes `b` first, masks take `a`.
+    let renamed = ["a3", "--set", "alpha=b", "--set", "beta=a", "--box", "b=0..1/4,a=0..1/8"];
+    browser.open(&page(&dir, "renamed.html", &renamed), "#at=3/16,1/26");
+    assert_eq!(fact(&mut browser, "Hölder exponent"), "5");
+    assert_eq!(browser.text("#mask"), "1/32*[1, 6, 15, 20, 15, 6, 1]");
     assert_eq!(browser.errors, [""; 0]);
 }
 

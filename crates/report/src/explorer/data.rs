@@ -6,7 +6,7 @@ use refinable_algebra::{Monomial, Parameter, ParameterPolynomial, Rational};
 use refinable_analysis::{
     Degrees, Stratum, TensionChoice, degrees, interpolating_value, interproximate_tensions,
 };
-use refinable_reals::{Component, Point, RealAlgebraic};
+use refinable_reals::Component;
 use refinable_scheme::{Diagnostic, Mask, Scheme};
 use serde_json::{Value, json};
 
@@ -24,7 +24,7 @@ pub(super) fn of(
     let free: Vec<Parameter> = mask.parameters().into_iter().collect();
     let mut smoothest: Option<Vec<Rational>> = None;
     let (parameters, smoothness, centre) = match free.len() {
-        0 => (free, single(scheme, progress)?, Vec::new()),
+        0 => (free, single(scheme.name(), mask, progress)?, Vec::new()),
         1 => {
             let (ranges, centre, value) = line(scheme, progress)?;
             smoothest = value.map(|value| vec![value]);
@@ -51,7 +51,7 @@ pub(super) fn of(
     };
     let found = degrees(mask);
     let special = found.strata.iter().filter_map(|stratum| match &stratum.locus {
-        Component::Point(point) => rational_point(point, &parameters),
+        Component::Point(point) => point.rational_coordinates(&parameters),
         _ => None,
     });
     let mut notable = Vec::from_iter(smoothest.clone());
@@ -112,7 +112,7 @@ fn degree_data(found: &Degrees, parameters: &[Parameter]) -> Value {
             Component::Space => {}
             Component::Hypersurface(f) => data["vanishes"] = terms(f, parameters),
             Component::Point(point) => {
-                let point = rational_point(point, parameters);
+                let point = point.rational_coordinates(parameters);
                 data["point"] = point.map_or(Value::Null, |point| json!(texts(&point)));
             }
         }
@@ -120,12 +120,6 @@ fn degree_data(found: &Degrees, parameters: &[Parameter]) -> Value {
     };
     let strata: Vec<Value> = found.strata.iter().map(stratum).collect();
     json!({"complete": found.complete, "strata": strata})
-}
-
-/// The coordinates, if all are rational.
-fn rational_point(point: &Point, parameters: &[Parameter]) -> Option<Vec<Rational>> {
-    let coordinate = |p| point.coordinates().get(p).and_then(RealAlgebraic::as_rational).cloned();
-    parameters.iter().map(coordinate).collect()
 }
 
 /// The members by which vertices can be interpolated.

@@ -4,9 +4,10 @@
 //! The cuts of a map are one list, in the order of a walk that goes below a line first: a text `a b c` for a
 //! cut along `a x + b y = c`, a number for a piece with that reason.
 
+use std::collections::BTreeMap;
+
 use refinable_algebra::{
-    Integer, Parameter, ParameterFraction, ParameterPolynomial, Polynomial, Rational, Ring,
-    clear_denominators, rational,
+    Integer, Parameter, Polynomial, Rational, Ring, clear_denominators, rational,
 };
 use refinable_analysis::{
     ContinuityRange, Fineness, Map, MapVerdict, Options, PointVerdict, Sharpness, continuity_at,
@@ -16,7 +17,7 @@ use refinable_certificate::{
     CellVerdict, Certificate, Conclusion, Node, Number, Section, parts_of_box,
 };
 use refinable_reals::{Bound, Interval, RealAlgebraic, Region};
-use refinable_scheme::{Diagnostic, Scheme, Substitution};
+use refinable_scheme::{Diagnostic, Normalised, Scheme};
 use serde_json::{Value, json};
 
 use super::ExplorerOptions;
@@ -30,19 +31,22 @@ use crate::sharp::{proof_text, sharp_range, undecided_because, word, words};
 use crate::svg::place;
 
 /// What is said of a scheme without parameters.
-pub(super) fn single(scheme: &Scheme, progress: &dyn Fn(&str)) -> Result<Value, Diagnostic> {
-    let mut data = alone(scheme, progress)?;
+pub(super) fn single(
+    name: &str,
+    mask: &Normalised,
+    progress: &dyn Fn(&str),
+) -> Result<Value, Diagnostic> {
+    let mut data = alone(name, mask, progress)?;
     data["kind"] = "scheme".into();
     Ok(data)
 }
 
 /// The verdicts on one member up to the first order that is not proved, and its exponent.
-fn alone(scheme: &Scheme, progress: &dyn Fn(&str)) -> Result<Value, Diagnostic> {
+fn alone(name: &str, mask: &Normalised, progress: &dyn Fn(&str)) -> Result<Value, Diagnostic> {
     let mut verdicts = Vec::new();
     for n in 0..MOST_ORDERS {
         progress(&format!("C^{n}"));
-        let (found, certificate) =
-            continuity_at(scheme.name(), scheme.mask(), n, &Sharpness::default())?;
+        let (found, certificate) = continuity_at(name, mask, n, &Sharpness::default())?;
         // The one lemma is about the only value: what it consists of tells more.
         let inside = certificate.lemmas.iter().flat_map(|l| l.inside().unwrap_or_default());
         let proof = Certificate { lemmas: inside.cloned().collect(), ..certificate.clone() };
@@ -53,9 +57,9 @@ fn alone(scheme: &Scheme, progress: &dyn Fn(&str)) -> Result<Value, Diagnostic> 
             break;
         }
     }
-    let holder = regularity(scheme.name(), scheme.mask(), &Options::default()).ok().map(|found| {
+    let holder = regularity(name, mask, &Options::default()).ok().map(|found| {
         let (lower, upper) = outward(&found);
-        match (exact_text(&found, scheme.mask().arity()), upper) {
+        match (exact_text(&found, mask.arity()), upper) {
             (Some(text), _) => text,
             (None, Some(upper)) => format!("between {} and {}", place(&lower), place(&upper)),
             (None, None) => format!("at least {}", floored(&lower)),
@@ -73,15 +77,11 @@ pub(super) fn members(
     progress: &dyn Fn(&str),
 ) -> Value {
     let member = |(k, point): (usize, &Vec<Rational>)| {
-        let value =
-            |x: &Rational| ParameterFraction::from(ParameterPolynomial::constant(x.clone()));
-        let settings: Vec<_> = parameters
-            .iter()
-            .zip(point)
-            .map(|(p, x)| Substitution::new(p.clone(), value(x)))
-            .collect();
+        // A mask takes values in the ascending order of its parameters.
+        let values: BTreeMap<_, _> = parameters.iter().zip(point.iter().cloned()).collect();
+        let mask = scheme.mask().at(&values.into_values().collect::<Vec<_>>()).ok()?;
         let quiet = |order: &str| progress(&format!("member {}, {order}", k + 1));
-        let mut member = alone(&scheme.with(&settings).ok()?, &quiet).ok()?;
+        let mut member = alone(scheme.name(), &mask, &quiet).ok()?;
         member["point"] = json!(texts(point));
         Some(member)
     };
